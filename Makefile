@@ -91,6 +91,11 @@ COUNT ?= 100000
 fuzz: .venv/ready-dev
 	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
 
+# Every option alone and every two together acts, or is refused; writes the table of docs/options.md.
+.PHONY: options
+options: .venv/ready-dev
+	$(BIN)/python -m tests.options.pairs
+
 .PHONY: lint
 lint: .venv/ready-dev
 	$(BIN)/ruff check .

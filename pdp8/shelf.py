@@ -210,6 +210,15 @@ def identity(name: str) -> object:
     return found.st_dev, found.st_ino
 
 
+def of_standard_input() -> object:
+    """Return the identity of the file that standard input is redirected from; None where it is no file."""
+    try:
+        found = os.fstat(sys.stdin.fileno())
+    except (AttributeError, OSError, ValueError):  # a stream of a test or a notebook, or one that is closed
+        return None
+    return (found.st_dev, found.st_ino) if stat.S_ISREG(found.st_mode) else None
+
+
 def check_kind(name: str, kind: str) -> None:
     """Raise ShelfError where a file called `name` is there, and is what no product of that kind replaces; or
     where a picture's name has the ending of another format.
@@ -252,7 +261,7 @@ def write(name: str, content: bytes) -> bool:
         with replacing(name) as beside, open(beside, "wb") as file:
             file.write(content)
     except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}; nothing was written") from error
+        raise ShelfError(f"{name}: {error.strerror}; this file was not written") from error
     if watch := _watches[-1]:
         watch.written.add(os.path.realpath(name))
     return replaced
@@ -287,8 +296,12 @@ def check_writable(name: str) -> None:
     if not os.path.isdir(folder):
         raise ShelfError(f"{name}: No such file or directory")
     _check_permission(name, name if os.path.exists(name) else folder)
+    if not os.path.isfile(name):
+        return
+    if identity(name) == of_standard_input():
+        raise ShelfError(f"{name} is standard input: it is not replaced; name another")
     watch = _watches[-1]
-    if watch and os.path.isfile(name) and identity(name) in watch.read and path not in watch.written:
+    if watch and identity(name) in watch.read and path not in watch.written:
         raise ShelfError(f"{name} was read: it is not replaced; name another")
 
 

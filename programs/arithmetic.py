@@ -249,6 +249,8 @@ ARITHMETICS: Final[dict[str, Arithmetic]] = {
     "cdc6400": CDC6400(),
 }
 """Every arithmetic by its name."""
+WHICH: Final = "the arithmetic of which machine"
+"""What a part's constant of that name means."""
 
 
 def _magnitude_bits(mantissa: int) -> int:

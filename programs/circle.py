@@ -30,7 +30,7 @@ from typing import Annotated, Any
 from programs.arithmetic import EXACT, Arithmetic
 from programs.format import Overflow
 from programs.header import THESIS, Header
-from programs.milling import SLOWEST, Milling
+from programs.milling import AS_LISTED, SLOWEST, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.stretches import Point, oval
 from programs.units import CODE, NUMBER, THOUSANDTHS
@@ -56,10 +56,12 @@ def part(
     preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
     x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,
     y_feed: Annotated[int, "", CODE] = Miscellaneous.Y_FEED,
-    close: Annotated[bool, "print the last point too, where the contour comes back to its start"] = False,
+    close: Annotated[
+        bool, "print the last point too, where the contour comes back to its start", *AS_LISTED
+    ] = False,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
-    arithmetic: Arithmetic = EXACT,
+    arithmetic: Annotated[Arithmetic, ""] = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.

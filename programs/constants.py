@@ -5,11 +5,12 @@ radius: Annotated[int, "RAD: ...", THOUSANDTHS] = 1750     radius, INCHES, by de
 expression: Annotated[str, "..."]                          expression, without a default
 header: Header = THESIS                                    each field of Header, with the defaults of THESIS
 milling: Milling = Milling()                               the same
-arithmetic: Arithmetic                                     arithmetic, by name
+arithmetic: Annotated[Arithmetic, "..."]                   arithmetic, by name
 
 A number has a unit, the second note of its annotation; units.py says what is asked for. A note without a
 sentence, Annotated[int, "", CODE], makes a keyword of `part(...)` that no command offers. A text behind the
-sentence names the constant, or its value, without which this one means nothing: "technique=piece", "cutter".
+sentence names the constant, or its value, without which this one means nothing: "technique=piece", "cutter";
+or, after "not", with which: "not stop=inside".
 """
 
 import inspect
@@ -23,6 +24,7 @@ from programs.drill import Holes, places
 from programs.program import PartProgram
 from programs.units import Unit
 
+_NOT = "not "
 REQUIRED = inspect.Parameter.empty
 """The default of a constant that has none."""
 
@@ -33,7 +35,7 @@ class Constant(NamedTuple):
     `meaning` is a sentence without its full stop, or empty for one that no command offers. A number has a
     `unit`, and may have to be `whole`; a name is one of `choices`; a `flag` is set or not; `places` are X,Y
     pairs; all others are text. `default` is as the part program keeps it. It means nothing without what it
-    `needs`.
+    `needs`, nor with what it `excludes`.
     """
 
     name: str
@@ -45,6 +47,7 @@ class Constant(NamedTuple):
     flag: bool = False
     places: bool = False
     needs: str = ""
+    excludes: str = ""
 
     def keep(self, value: str) -> Any:
         """Return what the part program keeps for `value` as it was typed. Raises ValueError."""
@@ -73,9 +76,6 @@ def constants(program: PartProgram) -> list[Constant]:
     for name, parameter in inspect.signature(program).parameters.items():
         if is_dataclass(hints[name]):
             found += _of_fields(parameter.default)
-        elif hints[name] is Arithmetic:
-            meaning = "the arithmetic of which machine"
-            found.append(Constant(name, meaning, "exact", choices=tuple(ARITHMETICS)))
         else:
             found.append(_constant(name, hints[name], parameter.default))
     return found
@@ -133,8 +133,17 @@ def _of_fields(record: Any) -> Iterator[Constant]:
 def _constant(name: str, hint: Any, default: Any) -> Constant:
     kind, meaning, *notes = get_args(hint)
     unit = next((note for note in notes if isinstance(note, Unit)), None)
-    needs = next((note for note in notes if isinstance(note, str)), "")
-    constant = Constant(name, meaning, default, needs=needs)
+    words = [note for note in notes if isinstance(note, str)]
+    constant = Constant(
+        name,
+        meaning,
+        default,
+        needs=" ".join(word for word in words if not word.startswith(_NOT)),
+        excludes=" ".join(word.removeprefix(_NOT) for word in words if word.startswith(_NOT)),
+    )
+    if kind is Arithmetic:
+        exact = next(known for known, arithmetic in ARITHMETICS.items() if arithmetic is default)
+        return constant._replace(choices=tuple(ARITHMETICS), default=exact)
     if kind is bool:
         return constant._replace(flag=True)
     if get_origin(kind) is Literal:

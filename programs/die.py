@@ -16,10 +16,10 @@ Source: thesis, Chapter 7 and Table 10.1.
 from typing import Annotated, Final, Literal
 
 from programs import ellipse
-from programs.arithmetic import EXACT, Arithmetic
+from programs.arithmetic import EXACT, WHICH, Arithmetic
 from programs.format import Overflow
 from programs.header import THESIS, Header
-from programs.milling import SLOWEST, Milling
+from programs.milling import AS_LISTED, SLOWEST, Milling
 from programs.units import THOUSANDTHS
 
 AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
@@ -39,7 +39,7 @@ def part(
     centre_y: Annotated[int, "Y of the centre", THOUSANDTHS] = 4000,
     milling: Milling = SLOWEST,
     header: Header = THESIS,
-    arithmetic: Arithmetic = EXACT,
+    arithmetic: Annotated[Arithmetic, WHICH, *AS_LISTED] = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of one of the die's three tapes; lengths are thousandths. Raises WorkError."""

@@ -21,6 +21,8 @@ _FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "
 
 STEP, PIECE = "technique=step", "technique=piece"
 """What a constant of one technique needs."""
+AS_LISTED = (STEP, "not stop=inside")
+"""What a constant of the listings' own method needs."""
 
 
 @dataclass(frozen=True)

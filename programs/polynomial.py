@@ -17,7 +17,7 @@ Source: thesis, Chapters 6 and 7.
 
 from typing import Annotated, Any
 
-from programs.arithmetic import EXACT, Arithmetic
+from programs.arithmetic import EXACT, WHICH, Arithmetic
 from programs.format import Overflow
 from programs.function import CutterOfSurface, Range, Side, centre_path, offset_path
 from programs.header import THESIS, Header
@@ -39,7 +39,7 @@ def part(
     side: Side = "above",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
-    arithmetic: Arithmetic = EXACT,
+    arithmetic: Annotated[Arithmetic, WHICH, "not cutter"] = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of the polynomial; lengths are inches. Raises WorkError."""

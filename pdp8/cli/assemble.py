@@ -149,9 +149,9 @@ def pal(
         )
         diagnostics = sorted(assembly.diagnostics, key=lambda diagnostic: not diagnostic.error)
     _check_kinds(sources, contents, assembly.ok)
-    if tty and assembly.dialect == PAL8:
-        raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
-    if wipe and assembly.dialect != PAL8:
+    if assembly.dialect == PAL8:
+        _check_options_of_pal3(tty, modern, high_speed_reader)
+    elif wipe:
         raise click.UsageError("--w is PAL8's /W; this is PAL III: --dialect pal8 takes it so")
     for diagnostic in diagnostics[:MOST]:
         command.tell(_coloured(diagnostic), styled=True)
@@ -177,6 +177,16 @@ def pal(
         _punch(tape, rim, force, errors, assembly)
     elif errors:
         raise AssemblyError(_counted(errors))
+
+
+def _check_options_of_pal3(tty: str | None, modern: bool, high_speed_reader: bool) -> None:
+    """Raise UsageError for an option that means nothing for PAL8."""
+    if tty:
+        raise click.UsageError("--tty writes the frames of PAL III's three passes; this is PAL8")
+    if modern:
+        raise click.UsageError("--modern means nothing for PAL8, which reads small letters as capitals")
+    if high_speed_reader:
+        raise click.UsageError("--high-speed-reader means nothing for PAL8: its symbols have room")
 
 
 def _coloured(diagnostic: Diagnostic) -> str:

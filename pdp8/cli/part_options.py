@@ -55,13 +55,16 @@ def _parameter(constant: Constant) -> click.Parameter:
     if constant.default is REQUIRED:
         return click.Argument([constant.name], type=str)
     names = [f"--{spelling(constant)}", constant.name]
-    needs = f"--{constant.needs}" if constant.needs else ""
+    needs, excludes = (
+        " ".join(f"--{word}" for word in words.split()) for words in (constant.needs, constant.excludes)
+    )
     if constant.flag:
-        return Option(names, needs, is_flag=True, default=constant.default, help=sentence(constant))
+        return Option(names, needs, excludes, is_flag=True, default=constant.default, help=sentence(constant))
     kind = click.Choice(constant.choices) if constant.choices else Typed(constant)
     return Option(
         names,
         needs,
+        excludes,
         type=kind,
         default=constant.ask(constant.default),
         show_default=constant.default is not None,

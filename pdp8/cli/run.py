@@ -1,8 +1,8 @@
 """`pdp8 run`: a program and its tape go in, the punched tape comes out, as it is punched."""
 
 import sys
-from collections.abc import Sequence
-from contextlib import ExitStack, closing
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Final, Literal
@@ -20,6 +20,8 @@ from pdp8.cli.shared.rules import declared, is_given, option
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
+from pdp8.shelf import ShelfError
+from tapes import kinds
 from tapes.errors import called, naming
 
 if TYPE_CHECKING:
@@ -36,8 +38,9 @@ _WHY = {
 }
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
 _CLOSED: Final = "closed"
-_Ended = Stop | Literal["closed"] | None
-"""How a run ended; None, interrupted."""
+_FAILED: Final = "failed"
+_Ended = Stop | Literal["closed", "failed"] | None
+"""How a run ended: by itself, as nobody reads what it punches, as a file failed; None, interrupted."""
 
 
 @dataclass(frozen=True)
@@ -214,24 +217,32 @@ def run(ctx: click.Context, /, options: Options) -> None:
     """
     ctx.meta[command.QUIET] = options.quiet
     _check_options(options, ctx.args)
-    found = _program(options)
-    machine = _machine(options, found)
     explicit = {param.name for param in ctx.command.params if is_given(ctx, param)}
+    found = _program(options, explicit)
+    machine = _machine(options, found)
     if found or "sr" in explicit:
         machine.sr = options.sr
     feed = _feed(options, machine)
     if found or "start" in explicit:
         machine.start(options.start)
-    stop = _run(options, machine, found, feed)
+    failures: list[ShelfError] = []
+    stop = _run(options, machine, found, feed, failures)
     if options.save is not None:
         from pdp8.computer.past import state
 
-        command.put(options.save, state.save(machine))
-    ctx.exit(_report(options, machine, feed, stop))
+        with _noted(failures):
+            command.put(options.save, state.save(machine))
+    for failure in failures:
+        command.say(str(failure))
+    status = _report(options, machine, feed, stop)
+    ctx.exit(1 if failures else status)
 
 
-def _program(options: Options) -> "Program | None":
-    """Return the program, if one is named; first the names of all files are checked."""
+def _program(options: Options, explicit: Collection[str | None]) -> "Program | None":
+    """Return the program, if one is named; first the names of all files are checked.
+
+    Raises UsageError for an option that means nothing for a program of its kind.
+    """
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
     reads += [fitting.file_of(name) for name in options.device]
     page = "-" if options.punch is None and not _paged(options) else options.punch
@@ -241,7 +252,12 @@ def _program(options: Options) -> "Program | None":
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if options.program is None:
         return None
-    return shelf.program(options.program, options.force or options.boot, options.dialect)
+    found = shelf.program(options.program, options.force or options.boot, options.dialect)
+    if found.kind == kinds.ASCII and options.force:
+        raise click.UsageError(f"--force means nothing for {found.name}: it is no tape that may be damaged.")
+    if found.kind != kinds.ASCII and "dialect" in explicit:
+        raise click.UsageError(f"--dialect means nothing for {found.name}: it is a tape, and no PAL source.")
+    return found
 
 
 def _paged(options: Options) -> bool:
@@ -285,18 +301,24 @@ def _feed(options: Options, machine: Machine) -> Feed:
     return feed
 
 
-def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed) -> _Ended:
-    """Run to the end, watched as was asked for; return how it ended."""
+def _run(
+    options: Options, machine: Machine, found: "Program | None", feed: Feed, failures: list[ShelfError]
+) -> _Ended:
+    """Run to the end, watched as was asked for; return how it ended. What cannot be written is added to
+    `failures`: everything else is written all the same.
+    """
     outputs = []
     if options.punch is not None or not _paged(options):
         outputs.append(Output(machine.teletype.punch, options.punch))
     if options.fast_punch is not None:
         outputs.append(Output(machine.highspeed.punch, options.fast_punch))
-    pass_on = partial(send, outputs)
+    begun = False
+    stop: _Ended = None
     with ExitStack() as stack:
         for output in outputs:
             stack.callback(output.tell)
             stack.callback(output.close)
+        stack.enter_context(_noted(failures))
         if options.trace is not None:
             from pdp8.cli.running.watching import tracing
 
@@ -306,21 +328,46 @@ def _run(options: Options, machine: Machine, found: "Program | None", feed: Feed
 
             asked = options.count, options.annotate
             stack.enter_context(counting(machine, _listing(found), *asked))
+        live = _live(options, machine, found, stack)
+        begun, stop = True, _FAILED
         try:
-            if options.keyboard:
-                from pdp8.cli.running.keyboard import sit_down
-
-                return sit_down(machine, _listing(found), options.max_time, options.realtime, pass_on)
-            if options.line is not None and sys.platform != "win32":  # as _check_options has it
-                from pdp8.cli.running.line import Line
-
-                with closing(Line(options.line)) as line:
-                    return line.run(machine, options.max_time, pass_on)
-            return pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
+            if live is not None:
+                stop = live(partial(send, outputs))
+            else:
+                stop = pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
         except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
             command.silence(sys.stdout)
             send(outputs)
-            return _CLOSED
+            stop = _CLOSED
+        except ShelfError as error:
+            failures.append(error)
+    if not begun:
+        raise failures.pop()
+    return stop
+
+
+def _live(
+    options: Options, machine: Machine, found: "Program | None", stack: ExitStack
+) -> Callable[[Callable[[], object]], Stop | None] | None:
+    """Return what runs the machine with somebody at its Teletype, if anybody is."""
+    if options.keyboard:
+        from pdp8.cli.running.keyboard import sit_down
+
+        return partial(sit_down, machine, _listing(found), options.max_time, options.realtime)
+    if options.line is not None and sys.platform != "win32":  # as _check_options has it
+        from pdp8.cli.running.line import Line
+
+        return partial(stack.enter_context(closing(Line(options.line))).run, machine, options.max_time)
+    return None
+
+
+@contextmanager
+def _noted(failures: list[ShelfError]) -> Iterator[None]:
+    """Add a ShelfError that is raised inside to `failures`."""
+    try:
+        yield
+    except ShelfError as error:
+        failures.append(error)
 
 
 def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int:
@@ -335,6 +382,9 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
         return 130
+    if stop == _FAILED:
+        command.say(f"stopped at {machine.pc:04o}, as an output or a tape failed{counts}")
+        return 1
     if stop == _CLOSED:
         if not options.quiet:
             command.say(f"nobody reads standard output any more, at {machine.pc:04o}{counts}")
@@ -383,7 +433,7 @@ def _restored(name: str, highspeed: bool, devices: "fitting.Devices") -> Machine
 def _boot(options: Options, machine: Machine, found: "Program") -> None:
     """Load the program as an operator does, saying what it took."""
     from pdp8.computer.use.operator import Operator
-    from tapes import kinds, rim
+    from tapes import rim
     from tapes.measure import duration
 
     if options.loader is None:

@@ -103,7 +103,7 @@ def test_what_cannot_be_written_leaves_what_was_there(
 
     full = OSError(28, "No space left on device")
     monkeypatch.setattr(os, "replace", Mock(side_effect=full))
-    with pytest.raises(ShelfError, match="No space left on device; nothing was written"):
+    with pytest.raises(ShelfError, match="No space left on device; this file was not written"):
         shelf.write(str(path), b"new")
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]

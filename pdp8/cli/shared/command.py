@@ -138,16 +138,21 @@ def put(name: str, product: str | bytes) -> None:
 
 
 def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:
-    """Write files into a folder, which is made, and say in one line which they are. Raises ShelfError."""
+    """Write files into a folder, which is made, and say in one line which they are, also where the next one
+    cannot be written. Raises ShelfError.
+    """
     names, replaced = [], 0
     shelf.make_folder(folder)
-    for name, content in files:
-        path = os.path.join(folder, name)
-        check_output(path)
-        replaced += shelf.write(path, content)
-        names.append(name)
-    said = ", ".join(names) if len(names) <= _NAMED else f"{len(names)} files"
-    tell(f"wrote {said} in {folder}" + (f"; {replaced} replaced" if replaced else ""))
+    try:
+        for name, content in files:
+            path = os.path.join(folder, name)
+            check_output(path)
+            replaced += shelf.write(path, content)
+            names.append(name)
+    finally:
+        said = ", ".join(names) if len(names) <= _NAMED else f"{len(names)} files"
+        if names:
+            tell(f"wrote {said} in {folder}" + (f"; {replaced} replaced" if replaced else ""))
 
 
 def tell_written(name: str, replaced: bool) -> None:

@@ -253,3 +253,62 @@ def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) 
     status, _, said = call("pdp8 replay drill --html again/drill.eia --out again")
     assert (status, "is the name of another file of the replay" in said) == (2, True)
     assert not (tmp_path / "again").exists()
+
+
+FULL = [
+    ("--punch /dev/full --trace t --save s", "/dev/full: No space left on device after 0 frames", "t s"),
+    (
+        "--punch p --trace /dev/full --save s",
+        "/dev/full: No space left on device; no trace was written",
+        "p s",
+    ),
+    ("--punch p --annotate /dev/full --save s", "/dev/full: No space left on device", "p s"),
+    ("--punch p --trace t --save /dev/full", "/dev/full: No space left on device", "p t"),
+    ("--fast-punch /dev/full --punch p --quiet", "", "p"),
+]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
+@pytest.mark.parametrize(("options", "failure", "written"), FULL)
+def test_a_run_says_why_it_stopped_and_writes_the_rest_if_an_output_fails(
+    options: str, failure: str, written: str, call: Call, tmp_path: Path
+) -> None:
+    status, _, said = call(f"pdp8 run hello.pal {options}")
+    lines = said.splitlines()
+    if not failure:  # nothing goes to the high-speed punch
+        assert (status, lines) == (0, [])
+        return
+    assert status == 1
+    assert f"pdp8 run: {failure}" in lines
+    assert {line.removeprefix("wrote ") for line in lines if line.startswith("wrote ")} == {*written.split()}
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(written.split())
+    assert lines[-1].startswith(("pdp8 run: HLT at ", "pdp8 run: stopped at "))
+    assert lines[-1].endswith(" in 1971")
+
+
+ALIASES = [
+    ("pdp8 run eia.pal --punch c.asc", "c.asc is standard input; name another file"),
+    ("pdp8 run eia.pal --trace c.asc > o", "c.asc is standard input; name another file"),
+    ("pdp8 tape convert - --to eia -o soft", "soft is standard input; name another file"),
+    ("pdp8 tape convert --to eia -o ./hard", "./hard is standard input; name another file"),
+    ("pdp8 part mirror - -o c.asc", "c.asc is standard input; name another file"),
+    ("pdp8 replay drill --out . --html c.asc", "c.asc is standard input; name another file"),
+    ("pdp8 cards rim -o there", "there/rim.svg is standard input: it is not replaced; name another"),
+    ("pdp8 monitor", "line 1: c.asc is standard input: it is not replaced; name another"),
+]
+
+
+@pytest.mark.parametrize(("line", "refusal"), ALIASES)
+def test_a_file_on_standard_input_is_not_replaced(
+    line: str, refusal: str, shell: Shell, tmp_path: Path
+) -> None:
+    content = b"punch c.asc\n" if "monitor" in line else shelf.read_bundled("circle.asc")
+    (tmp_path / "c.asc").write_bytes(content)
+    (tmp_path / "there").mkdir()
+    for name in ("hard", "there/rim.svg"):
+        os.link(tmp_path / "c.asc", tmp_path / name)
+    os.symlink("c.asc", tmp_path / "soft")
+    ran = shell(f"{line} < c.asc")
+    assert ran.returncode in (1, 2)
+    assert refusal in ran.stderr.decode()
+    assert (tmp_path / "c.asc").read_bytes() == content

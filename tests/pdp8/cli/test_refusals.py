@@ -53,8 +53,6 @@ pdp8 run eia.pal --reader nowhere.asc -> : nowhere.asc: no such file
 pdp8 run hello.pal --line /dev/null -> : /dev/null: not a line
 pdp8 run --restore nothing -> : nothing: no such file
 pdp8 run --restore empty -> : empty: a saved state begins with
-pdp8 run hello.pal --punch /dev/full -> : /dev/full: No space left on device after 0 frames
-pdp8 run ana.pal --trace /dev/full -> : /dev/full: No space left on device
 pdp8 run hello.pal --trace . -> : .: Is a directory
 pdp8 run hello.pal --punch a.bin --trace /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --save /nowhere/x -> : /nowhere/x: No such file or directory

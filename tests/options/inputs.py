@@ -1,0 +1,354 @@
+"""The files, the calls that are tried, what an option is given in them, and what cannot show."""
+
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+import pdp8
+from pdp8 import shelf
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
+from programs import parts
+from tapes import ascii, eia, octal
+
+WORK = """\
+/ ECHOES SR, ITS START AND K, THEN THE TAPE IN ITS READER
+*200
+\tCLA IAC
+\tOSR
+\tTAD K
+\tTLS
+\tTSF
+\tJMP .-1
+NEXT,\tKSF
+\tJMP .-1
+\tKRB
+\tOSR
+\tTLS
+\tTSF
+\tJMP .-1
+\tJMP NEXT
+K,\t7 -3
+$
+"""
+"""K is 4 in PAL III, -3 in PAL8."""
+FAST = """\
+*200
+NEXT,\tRFC
+\tRSF
+\tJMP .-1
+\tRRB
+\tPLS
+\tPSF
+\tJMP .-1
+\tCLA
+\tISZ COUNT
+\tJMP NEXT
+\tHLT
+COUNT,\t-3
+$
+"""
+LITERAL = "*200\n\tTAD (5)\n\tCLA IAC RAL RAR\n\tHLT\n$\n"
+"""PAL8, or PAL III with an error; a word that models do differently."""
+ADD = shelf.read_text("hello.pal")
+CIRCLE = parts.part("circle", radius=0.25, tolerance=0.005, technique="piece").replace(" ", "0")
+_HEADER = "".join(CIRCLE.splitlines(keepends=True)[:6])
+_ALONG = "0076041000400000184\n0086041000403000285\n" + "".join(
+    f"{at:03}6{3650 + 50 * at:05}{3994 + 4 * at:05}0{at % 3 + 1:02}{84 + at % 2}\n" for at in range(9, 25)
+)
+"""Cuts along both axes at once, near a line."""
+_SHOP = (
+    "900 0 00000 00000 0 02 86\n901 9 03000 03500 0 01 89\n"
+    "902 4 06000 06000 0 01 89\n903 6 06000 06900 0 01 85\n904 6 06500 07500 0 03 84\n"
+).replace(" ", "")
+"""A tool change, a hole that is pecked, a cut along both axes."""
+
+
+_BIN = pdp8.assemble(WORK).tape
+_WORD = len(_BIN.rstrip(b"\x80")) - 3
+"""A frame of its last word."""
+
+
+def _tape(blocks: str) -> bytes:
+    return eia.encode(blocks)
+
+
+def _damaged(tape: bytes) -> bytes:
+    """Return a tape with a blank row before its second block, which later controls did not read."""
+    return tape[:20] + b"\0" + tape[20:]
+
+
+def _saved() -> bytes:
+    machine = Machine()
+    machine.load(pdp8.assemble(WORK).words)
+    machine.start(0o200)
+    machine.teletype.reader.load(b"ABCDEFGHIJKLMNOP")
+    machine.run(seconds=0.25)
+    return state.save(machine).encode()
+
+
+FILES: Final[Mapping[str, bytes]] = {
+    "work.pal": WORK.encode(),
+    "fast.pal": FAST.encode(),
+    "literal.pal": LITERAL.encode(),
+    "small.pal": b"*200\n\tcla\n\thlt\n$\n",
+    "models.pal": b"*200\n\tCLA CLL CMA RAL RAR\n\thlt\n$\n",
+    "all.pal": b"*200\n\tCLA CLL CMA RAL RAR\nPAUSE; 5\n\tHLT\nK,\t7 -3\n$\n",
+    "wrong.pal": b"*200\n\tcla\nPAUSE; 5\n\tJMP 1000\n$\n",
+    "full.pal": ("".join(f"A{number}=1\n" for number in range(500)) + "$\n").encode(),
+    "cut.bin": _BIN[:-40],
+    "sum.bin": bytes([*_BIN[:_WORD], _BIN[_WORD] ^ 1, *_BIN[_WORD + 1 :]]),
+    "work.bin": _BIN,
+    "work.state": _saved(),
+    "loader.pal": shelf.read_bundled("bin.pal").replace(b"$", b"*7500\n\t1\n$"),
+    "in.asc": ascii.encode("ABC\n"),
+    "other.asc": b"XYZZYXXYZZYX",
+    "typed.txt": b"001 0 00000 00000 0 35 88\n002 9 03000 03500 0 01 89\n",
+    "small.eia": _tape(CIRCLE + _SHOP),
+    "round.eia": _tape(CIRCLE),
+    "hole.eia": _tape(_HEADER + _SHOP),
+    "rows.eia": _damaged(_tape(CIRCLE + _SHOP)),
+    "line.eia": _tape(_HEADER + _ALONG),
+    "part.asc": ascii.encode(parts.part("slope", to_x=4.5, to_y=4.25)),
+    "words.txt": b"A B\n",
+    "digits.txt": octal.decode(ascii.encode("1\n")).encode(),
+    "points.txt": b"0 0\n1 1\n2 4\n3 9.5\n",
+    "answer.pal": shelf.read_bundled("hello.pal"),
+    "script.txt": b"load literal.pal\nexamine 200:202\nfast-reader in.asc\n",
+}
+STDIN: Final = {"run": FILES["in.asc"]}
+
+ENDS: Final = ("--help", "--version", "--no-clobber")
+"""Options that end a call before it begins, and one that ends it where a file is there."""
+
+STOPS: Final = {"nc": "--strict"}
+"""An option that ends a call where the tape has a fault, and is tried alone."""
+
+
+def _quick(call: str) -> tuple[str, str]:
+    """Return a call of a part program, and the same by the other technique."""
+    return call, f"{call} --technique piece"
+
+
+_FUNCTION = (
+    "line.eia --function .08*x-.978 --range 0.1,0.8",
+    "line.eia --function .08*x-.978",
+    "line.eia --range 0.1,0.8",
+)  # fmt: skip
+
+CALLS: Final[Mapping[str, Sequence[str]]] = {
+    "run": (
+        "work.pal --punch out.tape",
+        "work.pal",
+        "cut.bin --punch out.tape",
+        "sum.bin --punch out.tape",
+        "sum.bin --boot --punch out.tape",
+        "work.pal --boot --save kept.state",
+        "sum.bin --boot --loader loader.pal --punch out.tape",
+        "",
+        "--restore work.state --punch out.tape",
+        "work.pal --boot --punch out.tape",
+        "work.pal --trace out.trace",
+        "fast.pal",
+        "fast.pal --fast-reader in.asc",
+        "fast.pal --fast-punch out.fast --fast-reader in.asc",
+    ),
+    "monitor": ("script.txt",),
+    "workbench": ("",),
+    "pal": (
+        "work.pal", "work.pal -o out.bin", "literal.pal", "small.pal", "full.pal", "literal.pal -o out.bin",
+        "literal.pal --listing out.lst", "all.pal", "all.pal -o out.bin", "wrong.pal",
+        "wrong.pal -o out.bin", "models.pal", "",
+    ),
+    "dis": ("work.bin",),
+    "tape clean": ("small.eia",),
+    "tape convert": (
+        "in.asc --to ascii",
+        "in.asc --to text",
+        "typed.txt --to ascii",
+        "work.bin --to rim",
+        "in.asc",
+        "digits.txt --to ascii",
+    ),
+    "tape punch": ("typed.txt", "words.txt"),
+    "tape show": ("in.asc",),
+    "part circle": (*_quick("--radius .3"), *_quick("--tolerance .05"), ""),
+    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), ""),
+    "part polynomial": (
+        *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", *_quick("--to .2"), "",
+    ),
+    "part slope": (*_quick("--tolerance .05"), *_quick("--to-x 5 --to-y 5"), *_quick("")),
+    "part curve": (
+        *_quick("'x**2/4' --to 1 --tolerance .05"),
+        *_quick("'x**2/4' --to 1 --tolerance .05 --cutter .1"),
+        *_quick("'x**2/4' --to 1"),
+        *_quick("'x**2/4' --tolerance .05"),
+        "'x**2/4'",
+    ),
+    "part die": (
+        *_quick("--tolerance .05"), "", "--cut rounding", "--cut groove", *_quick("--major .5 --minor .3"),
+    ),
+    "part fluidic": (
+        *_quick("--tolerance .05"),
+        *_quick("--tolerance .05 --program control"),
+        *_quick("--program control"),
+        "",
+    ),
+    "part drill": ("",),
+    "part compare": ("ellipse",),
+    "part fit": ("points.txt",),
+    "part mirror": ("part.asc",),
+    "nc list": ("small.eia", "rows.eia"),
+    "nc cut": ("small.eia", "rows.eia", "hole.eia"),
+    "nc plot": ("line.eia", "small.eia", "rows.eia", *_FUNCTION),
+    "nc inspect": (
+        "round.eia", "round.eia --talysurf out.svg",
+        "line.eia", "small.eia", "rows.eia", "line.eia --talysurf out.svg", *_FUNCTION,
+        "line.eia --function .08*x-.978 --range 0.1,0.8 --talysurf out.svg",
+    ),
+    "nc export": (
+        "line.eia --gcode", "line.eia --dxf", "hole.eia --gcode", "small.eia --dxf", "rows.eia --gcode",
+        "line.eia", "hole.eia",
+        *(f"{call} --dxf" for call in _FUNCTION),
+        *(f"{call} --dxf".replace("line", "hole") for call in _FUNCTION),
+    ),
+    "check": (
+        "message answer.pal", "message answer.pal --json out.json", "message", "", "decimal answer.pal",
+        "decimal work.pal",
+    ),
+    "cards": ("rim",),
+    "replay": ("drill",),
+    "thesis make": ("B", ""),
+    "thesis numbers": ("",),
+    "thesis evidence": ("circle.for",),
+    "thesis page": ("",),
+}  # fmt: skip
+"""What each command is called with besides the options that are tried."""
+
+_VALUES: Final = {
+    "--out": "out",
+    "--start": "201",
+    "--sr": "0102",
+    "--reader": "other.asc",
+    "--punch": "punched",
+    "--fast-reader": "other.asc",
+    "--fast-punch": "fast.out",
+    "--max-time": "0.45",
+    "--loader": "loader.pal",
+    "--dialect": "pal8",
+    "--trace": "trace.out",
+    "--annotate": "counts.out",
+    "--save": "saved.out",
+    "--restore": "work.state",
+    "--listing": "listing.out",
+    "--symbols": "symbols.out",
+    "--json": "json.out",
+    "--tty": "passes",
+    "--for": "8/E",
+    "--tape": "small.eia",
+    "tape convert --code": "octal",
+    "tape convert --to": "octal",
+    "--parity": "even",
+    "--fill": "3",
+    "tape punch --code": "eia",
+    "--leader": "5",
+    "--svg": "svg.out",
+    "tape show --code": "bin",
+    "tape show --from": "1",
+    "tape show --to": "2",
+    "--degree": "1",
+    "--across": "y",
+    "--about": "5",
+    "--arithmetic": "ge635",
+    "part polynomial --arithmetic": "cdc6400",
+    "--with": "ieee32",
+    "--feed-error": "10",
+    "nc cut --feed-error": "10,-10,0",
+    "nc plot --feed-error": "10,-10,0",
+    "nc inspect --feed-error": "10,-10,0",
+    "nc export --feed-error": "10,-10,0",
+    "--feed-code": "3",
+    "--peck": "0.002",
+    "--tool-change": "30",
+    "--read-seconds": "1",
+    "--passes": "2",
+    "--circle": "4,4,.26",
+    "--ellipse": "4,4,.26,.25",
+    "--line": "4.1,4.03,4.8,4.08",
+    "--function": ".08*x-.97",
+    "--origin": "4.05,5",
+    "--range": "0.2,.6",
+    "--cutter": "0.25",
+    "--tolerance": "0.006",
+    "--block": "5",
+    "--at": "4,4",
+    "--zoom": "20",
+    "--talyrond": "talyrond.svg",
+    "--talysurf": "talysurf.svg",
+    "--stretch": "0,.3",
+    "--safe": ".5",
+    "--shift": "1,1",
+    "--show": "task",
+    "--csv": "csv.out",
+    "--junit": "junit.out",
+    "--pages": "pages",
+    "--seed": "5",
+    "--cpu": "5",
+    "--export-student": "student.out",
+    "--html": "page.html",
+    "--chapter": "7",
+    "--technique": "piece",
+    "--fastest": "3",
+    "--stop": "inside",
+    "--tool": "2",
+    "--spindle": "32",
+    "--z-feed-point": "2.9",
+    "--z-depth": "3.6",
+    "--side": "below",
+    "--holes": "2,2",
+    "--cut": "rounding",
+    "--program": "control",
+    "--control": "0.8",
+    "part drill --z-feed": "2",
+}
+"""What an option is given, for one command or for all."""
+_LENGTHS: Final = {
+    "part circle": {
+        "--radius": "1.7", "--outer": "1.757", "--inner": "1.743", "--start-x": "1.5", "--start-y": ".9",
+    },
+    "part ellipse": {
+        "--major": "2.7", "--minor": "2.1", "--outer-major": "3.01", "--outer-minor": "2.257",
+        "--inner-major": "2.991", "--inner-minor": "2.243", "--start-x": "2.5", "--start-y": "1.2",
+    },
+    "part polynomial": {
+        "--a": ".19", "--b": "2.1", "--c": "5.9", "--from": "-.5", "--to": "6", "--tolerance": ".02",
+    },
+    "part slope": {"--from-x": "4.5", "--from-y": "4.5", "--to-x": "8", "--to-y": "6"},
+    "part curve": {"--from": ".5", "--to": "2"},
+    "part die": {"--major": "2.775", "--minor": "1.325", "--tolerance": ".01", "--centre-x": "6.5"},
+    "part fluidic": {"--axis-x": "6.5", "--base-y": "2"},
+}  # fmt: skip
+_PLACES: Final = {"--centre-x": "4.5", "--centre-y": "4.5", "--origin-x": "4.5", "--origin-y": "5.5"}
+
+
+def value(command: str, option: str) -> str:
+    """Return what the option is given, nothing for a flag."""
+    own = _LENGTHS.get(command, {}).get(option) or _VALUES.get(f"{command} {option}")
+    found = own or _VALUES.get(option) or _PLACES.get(option) or ""
+    return "" if f"{command} {option}" in _FLAGS else found
+
+
+_FLAGS: Final = ("nc export --tool-change", "part circle --close", "part ellipse --close")
+
+HIDDEN: Final = {
+    "run --keyboard": "needs a terminal: tests/pdp8/cli/test_terminal.py",
+    "run --line": "needs a serial line: tests/pdp8/cli/test_line.py",
+    "run --realtime": "takes time, and changes nothing else",
+    "panel": "needs a terminal: tests/pdp8/console/test_command.py",
+    "pal --lsp": "serves an editor: tests/pal/test_server.py",
+    "part polynomial --arithmetic": "few curves show how it rounds: --b 2.1 does, for cdc6400",
+    "check --prove --seed": "draws other cases, which the solution does as well",
+    "check --cpu": "bounds an answer that is not done: tests/pdp8/lessons/test_bounded.py",
+    "tape read": "photographs take seconds each: tests/tapes/photograph",
+    "vectors": "80 MB: tests/pdp8/vectors",
+}
+"""What cannot show, with the reason: a command, an option of it, or two."""

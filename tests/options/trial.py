@@ -1,0 +1,51 @@
+"""One call of a command in this process, in a folder of its own, and all that comes out of it."""
+
+import io
+import os
+import re
+import shlex
+import sys
+import tempfile
+from collections.abc import Mapping
+from contextlib import chdir
+from pathlib import Path
+from typing import NamedTuple
+from unittest.mock import patch
+
+from pdp8.cli.root import pdp8
+from pdp8.cli.shared import command
+
+_MEMORY = "/dev/shm" if os.path.isdir("/dev/shm") else None
+_OUR_TIME = re.compile(rb" *[\d.]+ s today| *[\d.]+ s +\d+ of the")
+"""How long something took today, which differs from call to call."""
+
+
+class Outcome(NamedTuple):
+    """What a call did: its exit status, standard output and error, and the files that it left."""
+
+    status: int
+    shown: bytes
+    said: bytes
+    files: Mapping[str, bytes]
+
+    @property
+    def refused(self) -> bool:
+        """Whether the call was a usage error."""
+        return self.status == 2
+
+
+def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
+    """Return what the command `line` does in a folder of `files`, with `stdin` on its standard input."""
+    given, shown, said = (io.BytesIO(content) for content in (stdin, b"", b""))
+    streams = [io.TextIOWrapper(buffer, write_through=True) for buffer in (given, shown, said)]
+    with tempfile.TemporaryDirectory(dir=_MEMORY) as folder, chdir(folder):
+        for name, content in files.items():
+            Path(name).write_bytes(content)
+        with patch.multiple(sys, stdin=streams[0], stdout=streams[1], stderr=streams[2]):
+            status = command.status(pdp8, "pdp8", shlex.split(line))
+        left = {
+            str(path): path.read_bytes()
+            for path in Path().rglob("*")
+            if path.is_file() and files.get(str(path)) != path.read_bytes()
+        }
+    return Outcome(status, shown.getvalue(), _OUR_TIME.sub(b"", said.getvalue()), left)
