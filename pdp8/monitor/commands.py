@@ -52,7 +52,7 @@ COMMANDS = {
     each.name: each
     for each in (
         Command("examine", "A|A:B|NAME ...", hands.examine, "an address"),
-        Command("deposit", "A WORD ...", hands.deposit, "an address and words"),
+        Command("deposit", "A WORD ...|A:B WORD", hands.deposit, "an address and words"),
         Command("set", "NAME WORD", hands.set_, f"one of {hands.NAMES} and a word"),
         Command("registers", "", hands.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),

@@ -1,6 +1,7 @@
 """Commands that look at the machine and change it: words, registers, switches, keys, breakpoints, steps."""
 
 from collections.abc import Sequence
+from itertools import cycle as cycle_of
 
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
@@ -30,10 +31,16 @@ def examine(monitor: Monitor, place: str, *more: str) -> None:
 
 
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
-    """Put words into core."""
-    address = monitor.address(place)
-    for offset, each in enumerate([octal(each) for each in (word, *more)]):
-        monitor.machine.core[address + offset & 0o7777] = each
+    """Put words into core from A on, or one word into all of A:B."""
+    addresses, words = monitor.range(place), [octal(each) for each in (word, *more)]
+    if len(addresses) > 1 and more:
+        raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
+    if len(addresses) == 1:
+        addresses = range(addresses.start, addresses.start + len(words))
+    if addresses.stop > 0o10000:
+        raise MonitorError(f"{place}: {len(words)} words go beyond 7777")
+    for address, each in zip(addresses, cycle_of(words), strict=False):
+        monitor.machine.core[address] = each
 
 
 def set_(monitor: Monitor, name: str, value: str) -> None:

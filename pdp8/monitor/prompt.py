@@ -1,10 +1,11 @@
 """A machine at a prompt: a line is a command and its arguments.
 
 Numbers are octal. An address may be a symbol of the program that was loaded, with + or - a number: CHK,
-CHK+3. A command's name may be shortened as long as it stays one of them, as DEC's were: e for examine, se for
-set.
+CHK+3-1. A range is A:B; 200-203 is one too, as in SIMH: only from a symbol does - subtract. A command's name
+may be shortened as long as it stays one of them, as DEC's were: e for examine, se for set.
 """
 
+import re
 from collections.abc import Callable
 
 from pdp8.computer.machine import Machine
@@ -14,6 +15,7 @@ from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, octal
 
+_RANGE = re.compile(r"\d+-\d+")
 HANDS = 0.1
 """Seconds the operator takes to press a key."""
 
@@ -52,22 +54,31 @@ class Monitor:
         self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc])}")
 
     def address(self, text: str) -> int:
-        """Return the address that `text` names: octal, or symbol, plus or minus octal."""
-        for sign, factor in (("+", 1), ("-", -1)):
-            name, found, offset = text.partition(sign)
-            if found and name:
-                return self.address(name) + factor * octal(offset) & 0o7777
-        symbol = self.listing.symbols.get(text.upper()[:6])
+        """Return the address that `text` names: octal, or a symbol, plus and minus octal numbers."""
+        name, *offsets = re.split("(?=[+-])", text)
+        if name.isdecimal() and "-" in text:
+            raise MonitorError(f"{text}: a range, where one address was expected")
+        address = self._named(name or text)
+        for offset in offsets:
+            if offset[1:].upper()[:6] in self.listing.symbols:
+                raise MonitorError(f"{text}: a range? write A:B; after + and - stand octal numbers")
+            address += octal(offset[1:]) * (1 if offset[0] == "+" else -1)
+        if not 0 <= address <= 0o7777:
+            raise MonitorError(f"{text}: not between 0000 and 7777")
+        return address
+
+    def _named(self, name: str) -> int:
+        symbol = self.listing.symbols.get(name.upper()[:6])
         if symbol is not None:
             return symbol
-        if not text.isdecimal():
+        if not name.isdecimal():
             advice = "" if self.listing.symbols else "; a tape brings none, `listing SOURCE` does"
-            raise MonitorError(f"{text}: neither an octal number nor a symbol{advice}")
-        return octal(text)
+            raise MonitorError(f"{name}: neither an octal number nor a symbol{advice}")
+        return octal(name)
 
     def range(self, text: str) -> range:
-        """Return the addresses of A or A:B."""
-        first, found, last = text.partition(":")
+        """Return the addresses of A, of A:B, or of A-B where both are numbers."""
+        first, found, last = text.partition("-" if _RANGE.fullmatch(text) else ":")
         begin = self.address(first)
         end = self.address(last) if found else begin
         if end < begin:

@@ -155,8 +155,9 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
     while True:
         for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, GLANCE, longest):
             if stop.reason is Reason.TAPE_OUT and monitor.waiting_tapes:
-                name = monitor.waiting_tapes.pop(0)
+                name = monitor.waiting_tapes[0]
                 monitor.operator.mount(name, shelf.read(name))
+                del monitor.waiting_tapes[0]
                 monitor.say(f"{name} goes into the reader")
                 break
             yield stop

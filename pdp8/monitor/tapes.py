@@ -74,8 +74,8 @@ def reader(monitor: Monitor, first: str, *more: str) -> None:
         if teletype.reader.on != (names == ["start"]):
             monitor.operator.throw_lever()
         return
-    monitor.waiting_tapes = []
     if names == ["none"]:
+        monitor.waiting_tapes = []
         teletype.reader.remove()
         return
     tapes = [_read(monitor, name) for name in names]
