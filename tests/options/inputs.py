@@ -172,7 +172,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     "tape punch": ("typed.txt", "words.txt"),
     "tape show": ("in.asc",),
     "part circle": (*_quick("--radius .3"), *_quick("--tolerance .05"), ""),
-    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), ""),
+    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), "--minor 2.1", ""),
     "part polynomial": (
         *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", *_quick("--to .2"), "",
     ),
@@ -318,6 +318,7 @@ _LENGTHS: Final = {
     "part ellipse": {
         "--major": "2.7", "--minor": "2.1", "--outer-major": "3.01", "--outer-minor": "2.257",
         "--inner-major": "2.991", "--inner-minor": "2.243", "--start-x": "2.5", "--start-y": "1.2",
+        "--tolerance": ".01",
     },
     "part polynomial": {
         "--a": ".19", "--b": "2.1", "--c": "5.9", "--from": "-.5", "--to": "6", "--tolerance": ".02",

@@ -10,6 +10,7 @@ the calls of inputs.py has to show it; else the call with both has to be refused
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 from itertools import combinations
 from pathlib import Path
@@ -114,11 +115,12 @@ def table(found: Mapping[Pair, str]) -> str:
 
 def main() -> None:
     """Try what is asked for; say what is wrong. Of all commands, write the table into docs/options.md."""
-    found = {}
-    for pair in pairs(sys.argv[1:]):
-        found[pair] = how = tried(pair)
-        if how not in (ACT, REFUSED, HIDDEN):
-            print(f"{pair.command} {' '.join(pair.options)}: {how}", flush=True)
+    chosen, found = list(pairs(sys.argv[1:])), {}
+    with ProcessPoolExecutor() as pool:
+        for pair, how in zip(chosen, pool.map(tried, chosen, chunksize=20), strict=True):
+            found[pair] = how
+            if how not in (ACT, REFUSED, HIDDEN):
+                print(f"{pair.command} {' '.join(pair.options)}: {how}", flush=True)
     wrong = sum(how not in (ACT, REFUSED, HIDDEN) for how in found.values())
     print(f"{len(found):,} single options and pairs, {wrong} without effect")
     if not wrong and not sys.argv[1:]:
