@@ -49,7 +49,8 @@ $
 """
 LITERAL = "*200\n\tTAD (5)\n\tCLA IAC RAL RAR\n\tHLT\n$\n"
 """PAL8, or PAL III with an error; a word that models do differently."""
-ADD = shelf.read_text("hello.pal")
+_OVERLAY = "*200\n\tTAD (5)\n\tCLA CLL CMA RAL RAR\n*400\n\tTAD (6)\n*200\n\tTAD (7)\n"
+"""PAL8 that comes back to a page with literals."""
 CIRCLE = parts.part("circle", radius=0.25, tolerance=0.005, technique="piece").replace(" ", "0")
 _HEADER = "".join(CIRCLE.splitlines(keepends=True)[:6])
 _ALONG = "0076041000400000184\n0086041000403000285\n" + "".join(
@@ -93,7 +94,9 @@ FILES: Final[Mapping[str, bytes]] = {
     "small.pal": b"*200\n\tcla\n\thlt\n$\n",
     "models.pal": b"*200\n\tCLA CLL CMA RAL RAR\n\thlt\n$\n",
     "all.pal": b"*200\n\tCLA CLL CMA RAL RAR\nPAUSE; 5\n\tHLT\nK,\t7 -3\n$\n",
-    "wrong.pal": b"*200\n\tcla\nPAUSE; 5\n\tJMP 1000\n$\n",
+    "wrong.pal": b"*200\n\tcla\nPAUSE; 5\n\tTAD UNDEF\n$\n",
+    "overlay.pal": _OVERLAY.encode() + b"$\n",
+    "missing.pal": _OVERLAY.encode() + b"\tTAD UNDEF\n$\n",
     "full.pal": ("".join(f"A{number}=1\n" for number in range(500)) + "$\n").encode(),
     "cut.bin": _BIN[:-40],
     "sum.bin": bytes([*_BIN[:_WORD], _BIN[_WORD] ^ 1, *_BIN[_WORD + 1 :]]),
@@ -156,8 +159,12 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     "workbench": ("",),
     "pal": (
         "work.pal", "work.pal -o out.bin", "literal.pal", "small.pal", "full.pal", "literal.pal -o out.bin",
-        "literal.pal --listing out.lst", "all.pal", "all.pal -o out.bin", "wrong.pal",
-        "wrong.pal -o out.bin", "models.pal", "",
+        "literal.pal --listing out.lst", "all.pal", "all.pal -o out.bin", "wrong.pal", "wrong.pal -o out.bin",
+        "wrong.pal --dialect pal3", "wrong.pal --dialect pal3 -o out.bin", "overlay.pal",
+        "overlay.pal -o out.bin",
+        "overlay.pal --dialect pal8", "overlay.pal --dialect pal8 -o out.bin", "missing.pal",
+        "missing.pal -o out.bin",
+        "missing.pal --dialect pal8", "missing.pal --dialect pal8 -o out.bin", "models.pal", "",
     ),
     "dis": ("work.bin",),
     "tape clean": ("small.eia",),
@@ -259,6 +266,8 @@ _VALUES: Final = {
     "--across": "y",
     "--about": "5",
     "--arithmetic": "ge635",
+    "pal --check --w": "an overlay that has no error has notes, with /W and without",
+    "pal --strict --w": "the same",
     "part polynomial --arithmetic": "cdc6400",
     "--with": "ieee32",
     "--feed-error": "10",
@@ -346,6 +355,8 @@ HIDDEN: Final = {
     "run --realtime": "takes time, and changes nothing else",
     "panel": "needs a terminal: tests/pdp8/console/test_command.py",
     "pal --lsp": "serves an editor: tests/pal/test_server.py",
+    "pal --check --w": "an overlay that has no error has notes, with /W and without",
+    "pal --strict --w": "the same",
     "part polynomial --arithmetic": "few curves show how it rounds: --b 2.1 does, for cdc6400",
     "check --prove --seed": "draws other cases, which the solution does as well",
     "check --cpu": "bounds an answer that is not done: tests/pdp8/lessons/test_bounded.py",
