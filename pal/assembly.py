@@ -108,6 +108,14 @@ class Assembly:
         """Return where a mention or a message stands in the source."""
         return self._work.place(at)
 
+    def __repr__(self) -> str:
+        """Return what it is in one line: the source tapes, the dialect, how many words and errors."""
+        from tapes.measure import counted
+
+        errors = sum(diagnostic.error for diagnostic in self.diagnostics)
+        said = f"{counted(len(self.words), 'words')}, {counted(errors, 'errors')}"
+        return f"<Assembly of {', '.join(self.names)} in {self.dialect}: {said}>"
+
     def _repr_html_(self) -> str:
         """Return the listing as HTML, for a notebook."""
         from pal.reports import html

@@ -11,6 +11,7 @@ A tape is bytes, a byte a frame; a word is an int; words in core are {address: w
 
     tape(name)              a file's frames; bundled: eia.pal hello.pal echo.pal eia.bin circle.eia ...
     assemble(source, ...)   PAL III or PAL8: an Assembly with tape, words, symbols, diagnostics, listing
+    disassemble(words)      PAL III source that assembles to these words
     part(name, ...)         a part program's printout; constants are the options of `pdp8 part NAME`
     ascii eia binary rim    the codes: encode(...) makes frames of text or words, decode(frames) the reverse,
                             binary.decode(frames).words; eia.EOB ends a block
@@ -22,6 +23,7 @@ A tape is bytes, a byte a frame; a word is an int; words in core are {address: w
     Device                  one of your own: pulse, advance, initialize; fields.saved(flag=fields.BIT,
                             due=fields.TICK) is what is saved; signals.SKIP CLEAR_AC NEVER TICKS_PER_SECOND
     Count                   what `with machine.count() as count` gives: executed, operations, waiting ...
+    History                 History(machine) notes what is done; pdp8.computer.past.rewind undoes it
     state                   save(machine) makes text, restore(text) a machine
     cut, plot               a Path: steps, moves, times.total in seconds, array(); plot(path) makes SVG
     WorkError               what goes wrong with what was given; TapeError (frame) and LoadError are its kinds
@@ -62,6 +64,7 @@ if TYPE_CHECKING:
     from nc.plot import plot as plot
     from pal import Assembly as Assembly
     from pal import assemble as assemble
+    from pal.disassembler import disassemble as disassemble
     from pdp8 import shelf
     from pdp8.computer.count import Count as Count
     from pdp8.computer.hardware import fields as fields
@@ -70,6 +73,7 @@ if TYPE_CHECKING:
     from pdp8.computer.machine import LoadError as LoadError
     from pdp8.computer.machine import Machine as Machine
     from pdp8.computer.past import state as state
+    from pdp8.computer.past.history import History as History
     from pdp8.computer.stop import Stop as Stop
     from programs.parts import part as part
     from tapes import ascii as ascii
@@ -88,6 +92,7 @@ _PLACES = {
     "Assembly": ("pal", "Assembly"),
     "Count": ("pdp8.computer.count", "Count"),
     "Device": ("pdp8.computer.hardware.bus", "Device"),
+    "History": ("pdp8.computer.past.history", "History"),
     "LoadError": ("pdp8.computer.machine", "LoadError"),
     "Machine": ("pdp8.computer.machine", "Machine"),
     "Stop": ("pdp8.computer.stop", "Stop"),
@@ -97,6 +102,7 @@ _PLACES = {
     "assemble": ("pal", "assemble"),
     "binary": ("tapes.binary", ""),
     "cut": ("nc", "cut"),
+    "disassemble": ("pal.disassembler", "disassemble"),
     "eia": ("tapes.eia", ""),
     "fields": ("pdp8.computer.hardware.fields", ""),
     "part": ("programs.parts", "part"),
@@ -158,5 +164,5 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    """Return the names of the package, those that are not loaded yet too."""
-    return sorted({*globals(), *_PLACES, "__version__"})
+    """Return the names that a script needs, those that are not loaded yet too, and Python's own."""
+    return sorted({*(name for name in globals() if name[:2] == "__"), *_PLACES, "__version__"})

@@ -69,7 +69,8 @@ def test_help_names_everything_a_script_uses(title: str) -> None:
 
 
 def test_every_name_can_be_imported_and_is_listed() -> None:
-    assert set(pdp8.__all__) <= set(dir(pdp8))
+    shown = [name for name in dir(pdp8) if name[:2] != "__"]
+    assert shown == sorted(pdp8.__all__)
     assert all(getattr(pdp8, name) is not None for name in pdp8.__all__)
     assert re.fullmatch(r"\d+\.\d+\.\d+", pdp8.__version__)
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
@@ -106,3 +107,23 @@ def test_importing_the_package_imports_nothing_heavy(tmp_path: Path) -> None:
 
 def test_each_package_is_typed() -> None:
     assert all((HOUSE / room / "py.typed").exists() for room in (*ROOMS, "pdp8"))
+
+
+def test_an_assembly_says_what_it_is() -> None:
+    assert repr(pdp8.assemble("*200\n\tCLA\n\tQQ\n$\n", names=["own.pal"])) == (
+        "<Assembly of own.pal in pal3: 2 words, 1 error>"
+    )
+    assert repr(pdp8.assemble("*200\n\tTAD (5)\n$\n", "", names=["a", "b"], dialect="pal8")) == (
+        "<Assembly of a, b in pal8: 2 words, no errors>"
+    )
+
+
+def test_words_come_back_as_a_source_of_them() -> None:
+    words = pdp8.assemble(pdp8.tape("eia.pal")).words
+    assert pdp8.assemble(pdp8.disassemble(words)).words == words
+    machine = pdp8.Machine()
+    history = pdp8.History(machine)
+    machine.load({0o200: 0o7001, 0o201: 0o5200})
+    machine.start(0o200)
+    machine.run(instructions=3)
+    assert history.instructions == 3

@@ -40,7 +40,7 @@ MODULES = {
 """What is translated."""
 
 OMITTED = {
-    "pal.assembly": "_repr_html_",
+    "pal.assembly": "__repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.hardware.bus": "fit",
     "pdp8.computer.machine": "__reduce__ _copied count",
