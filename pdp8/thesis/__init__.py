@@ -5,7 +5,7 @@ making       an item of it made: a sheet or a text, with its caption
 gallery      the page that sets all of them beside the thesis
 
 numbers      every number of the chapters: its page, its words, ours, what makes it
-measures     what we make of each
+measures     what we make of each                      measured   those that take long, kept
 inputs       what that is made from, and what may be said of it
 
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables

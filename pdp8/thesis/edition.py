@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from importlib.resources import files
 from pathlib import Path
 
-from pdp8.thesis import numbers
+from pdp8.thesis import measured, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 
@@ -86,7 +86,8 @@ def _variants(page_: str) -> Iterator[tuple[str, ...]]:
 
 
 def main() -> None:
-    """Write the pages and the sources again."""
+    """Write the measures, the pages and the sources again."""
+    measured.write(one.measure for one in numbers.numbers())
     for path in (Path("docs/thesis.md"), Path("docs/restoration.md")):
         path.write_text(page(path.read_text()))
     for artefact in ARTEFACTS:

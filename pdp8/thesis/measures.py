@@ -51,6 +51,11 @@ def measure(name: str) -> Measure:
     return found() if callable(found) else found
 
 
+def takes_long(name: str) -> bool:
+    """Tell whether a measure is computed when it is asked for; `measured` keeps it."""
+    return callable(_table()[name].value)
+
+
 def inputs(name: str) -> tuple[str, ...]:
     """Return what a measure is made from: names of `inputs.INPUTS`."""
     return _table()[name].inputs

@@ -49,6 +49,24 @@ $
 """
 LITERAL = "*200\n\tTAD (5)\n\tCLA IAC RAL RAR\n\tHLT\n$\n"
 """PAL8, or PAL III with an error; a word that models do differently."""
+OWN = """\
+from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.fields import BIT, saved
+
+class Own(Device):
+    CODE = 0o13
+    fields = saved(flag=BIT)
+
+    def pulse(self, iop, ac, now):
+        return 0
+
+    def advance(self, now):
+        pass
+
+    def initialize(self, now):
+        self.flag = 0
+"""
+"""A device that changes nothing but the state that is saved."""
 _OVERLAY = "*200\n\tTAD (5)\n\tCLA CLL CMA RAL RAR\n*400\n\tTAD (6)\n*200\n\tTAD (7)\n"
 """PAL8 that comes back to a page with literals."""
 CIRCLE = parts.part("circle", radius=0.25, tolerance=0.005, technique="piece").replace(" ", "0")
@@ -97,6 +115,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "wrong.pal": b"*200\n\tcla\nPAUSE; 5\n\tTAD UNDEF\n$\n",
     "overlay.pal": _OVERLAY.encode() + b"$\n",
     "missing.pal": _OVERLAY.encode() + b"\tTAD UNDEF\n$\n",
+    "own.py": OWN.encode(),
     "full.pal": ("".join(f"A{number}=1\n" for number in range(500)) + "$\n").encode(),
     "cut.bin": _BIN[:-40],
     "sum.bin": bytes([*_BIN[:_WORD], _BIN[_WORD] ^ 1, *_BIN[_WORD + 1 :]]),
@@ -191,6 +210,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         *_quick("'x**2/4' --tolerance .05"),
         "'x**2/4'",
     ),
+    "part profile": (*_quick("'.3+0*x' --tolerance .05"), "'.3+0*x'"),
     "part die": (
         *_quick("--tolerance .05"), "", "--cut rounding", "--cut groove", *_quick("--major .5 --minor .3"),
     ),
@@ -242,6 +262,8 @@ _VALUES: Final = {
     "--max-time": "0.45",
     "--loader": "loader.pal",
     "--dialect": "pal8",
+    "run --dialect": "pal3",
+    "--device": "own.py:Own",
     "--trace": "trace.out",
     "--annotate": "counts.out",
     "--save": "saved.out",

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.thesis import chain, edition, measures, tables
+from pdp8.thesis import chain, edition, measured, measures, tables
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.inputs import COMPUTED, DIFFERS, FITTED, FROM_TEXT, INPUTS, NOT_MADE, state
 from pdp8.thesis.numbers import numbers, plain
@@ -112,6 +112,12 @@ def test_no_number_that_is_computed_hangs_on_a_result_of_the_thesis(monkeypatch:
                 _forget()
         assert changed <= {name for name in names if value in measures.inputs(name)}, value
         assert bool(changed) == bool(value), value
+
+
+@pytest.mark.slow("computes what takes long")
+def test_what_is_kept_is_what_is_computed() -> None:
+    computed = measured.computed(one.measure for one in ALL)
+    assert {name: measured.value(name) for name in computed} == computed
 
 
 def _forget() -> None:
