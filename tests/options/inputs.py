@@ -16,6 +16,7 @@ WORK = """\
 \tCLA IAC
 \tOSR
 \tTAD K
+\t6131
 \tTLS
 \tTSF
 \tJMP .-1
@@ -23,14 +24,17 @@ NEXT,\tKSF
 \tJMP .-1
 \tKRB
 \tOSR
+\t6131
 \tTLS
 \tTSF
 \tJMP .-1
 \tJMP NEXT
-K,\t7 -3
+K,\t4
+FIELD 0
+\tCLA IAC RAL
 $
 """
-"""K is 4 in PAL III, -3 in PAL8."""
+"""FIELD goes on where it stands in PAL III, and from 0200 in PAL8."""
 FAST = """\
 *200
 NEXT,\tRFC
@@ -52,13 +56,14 @@ LITERAL = "*200\n\tTAD (5)\n\tCLA IAC RAL RAR\n\tHLT\n$\n"
 OWN = """\
 from pdp8.computer.hardware.bus import Device
 from pdp8.computer.hardware.fields import BIT, saved
+from pdp8.computer.hardware.signals import CLEAR_AC
 
 class Own(Device):
     CODE = 0o13
     fields = saved(flag=BIT)
 
     def pulse(self, iop, ac, now):
-        return 0
+        return CLEAR_AC
 
     def advance(self, now):
         pass
@@ -66,7 +71,7 @@ class Own(Device):
     def initialize(self, now):
         self.flag = 0
 """
-"""A device that changes nothing but the state that is saved."""
+"""A device whose IOTs clear AC."""
 _OVERLAY = "*200\n\tTAD (5)\n\tCLA CLL CMA RAL RAR\n*400\n\tTAD (6)\n*200\n\tTAD (7)\n"
 """PAL8 that comes back to a page with literals."""
 CIRCLE = parts.part("circle", radius=0.25, tolerance=0.005, technique="piece").replace(" ", "0")
@@ -111,7 +116,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "literal.pal": LITERAL.encode(),
     "small.pal": b"*200\n\tcla\n\thlt\n$\n",
     "models.pal": b"*200\n\tCLA CLL CMA RAL RAR\n\thlt\n$\n",
-    "all.pal": b"*200\n\tCLA CLL CMA RAL RAR\nPAUSE; 5\n\tHLT\nK,\t7 -3\n$\n",
+    "all.pal": b"*200\n\tCLA CLL CMA RAL RAR\nPAUSE; 5\n\tHLT\nFIELD 0\n\tCLA\n$\n",
     "wrong.pal": b"*200\n\tcla\nPAUSE; 5\n\tTAD UNDEF\n$\n",
     "overlay.pal": _OVERLAY.encode() + b"$\n",
     "missing.pal": _OVERLAY.encode() + b"\tTAD UNDEF\n$\n",
@@ -135,7 +140,8 @@ FILES: Final[Mapping[str, bytes]] = {
     "digits.txt": octal.decode(ascii.encode("1\n")).encode(),
     "points.txt": b"0 0\n1 1\n2 4\n3 9.5\n",
     "answer.pal": shelf.read_bundled("hello.pal"),
-    "script.txt": b"load literal.pal\nexamine 200:202\nfast-reader in.asc\n",
+    "script.txt": b"load literal.pal\nexamine 200:202\ndeposit 300 7001 6131 7402\ngo 300\nregisters\n"
+    b"fast-reader in.asc\n",
 }
 STDIN: Final = {"run": FILES["in.asc"]}
 
@@ -262,7 +268,6 @@ _VALUES: Final = {
     "--max-time": "0.45",
     "--loader": "loader.pal",
     "--dialect": "pal8",
-    "run --dialect": "pal3",
     "--device": "own.py:Own",
     "--trace": "trace.out",
     "--annotate": "counts.out",
