@@ -15,6 +15,7 @@ shared/   what the commands share: how they end, files, options, progress
 import gc
 import os
 import signal
+import sys
 from importlib import import_module
 
 _SELDOM = 50_000
@@ -32,6 +33,7 @@ def _run(module: str) -> None:
     """Run the command whose `main` is in `module`; Ctrl-C is quiet from the first moment, while the rest is
     being imported too.
     """
+    _keep_docstrings()
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda number, _: os._exit(128 + number))
     gc.set_threshold(_SELDOM)  # what a command imports is no garbage: a tenth of the start went into looking
@@ -40,3 +42,10 @@ def _run(module: str) -> None:
         run()
     finally:
         gc.freeze()  # nor is it when the process ends
+
+
+def _keep_docstrings() -> None:
+    """Begin again where Python drops docstrings (PYTHONOPTIMIZE=2, -OO): they are what --help shows."""
+    if sys.flags.optimize > 1:
+        os.environ["PYTHONOPTIMIZE"] = "1"
+        os.execv(sys.executable, [sys.executable, *(word for word in sys.orig_argv[1:] if word != "-OO")])

@@ -1,5 +1,7 @@
 """`pdp8 run`: a program and its tape go in, the punched tape comes out, as it is punched."""
 
+import os
+import stat
 import sys
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, closing, contextmanager
@@ -379,6 +381,8 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int
         command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
     if options.restore and not (options.reader or options.quiet):
         say_unread()
+    if not options.quiet:
+        _tell_of_channel_8(options, machine)
     if stop is None:
         command.say(f"interrupted at {machine.pc:04o}{counts}")
         return 130
@@ -396,6 +400,15 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int
         last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
         command.say(_WHY[stop.reason].format(pc=stop.pc, last=last) + counts)
     return 0 if done else 1
+
+
+def _tell_of_channel_8(options: Options, machine: Machine) -> None:
+    """Say how a printed text is read that goes down a pipe as frames with channel 8."""
+    if options.punch is not None or _paged(options) or not stat.S_ISFIFO(os.fstat(1).st_mode):
+        return
+    frames = machine.teletype.punch.tape
+    if kinds.classify(frames) == kinds.ASCII and not frames.isascii():
+        command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
 
 
 def _check_options(options: Options, more: Sequence[str]) -> None:

@@ -221,7 +221,8 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         raise
     except OSError as error:
         silence(sys.stdout)
-        where = error.filename or "standard output"  # every file's errors are named by the shelf
+        gone = isinstance(error, FileNotFoundError)  # as os.getcwd has it
+        where = error.filename or ("the current folder" if gone else "standard output")
         return _complain(f"{_path(command, name, arguments)}: {where}: {error.strerror or error}", 1)
     return ended if isinstance(ended, int) else 0
 

@@ -110,6 +110,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
 
 def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> Program:
     from pal.assembling import assemble
+    from pal.notes import DIALECT
 
     if all(kinds.only_figures(source) for source in sources):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
@@ -119,7 +120,8 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
         more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows them, with its notes"] * (
             len(errors) > _SHOWN
         )
-        report = "\n".join([*errors[:_SHOWN], *more])
+        other = [each.headline for each in assembly.diagnostics if each.code == DIALECT and not each.error]
+        report = "\n".join([*errors[:_SHOWN], *more, *other])
         raise WorkError(f"not loaded, it has {counted(len(errors), 'errors')}\n{report}")
     for address in assembly.words:
         if address > 0o7777:
