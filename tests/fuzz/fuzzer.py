@@ -7,9 +7,9 @@ circle costs as much as a hundred other calls; what takes long is called seldom,
 terminal here.
 
 A call is a failure where it raises anything but an exit, shows a traceback or a warning of Python's, ends
-with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source,
-or leaves a file it was still writing. Each failure is printed with the seed that makes it again:
-`--seed SEED --count 1`.
+with a status other than 0, 1, 2 or 130, takes ten seconds of processor time or two minutes, changes a source
+or the file on its standard input, or leaves a file it was still writing. Each failure is printed with the
+seed that makes it again: `--seed SEED --count 1`.
 """
 
 import argparse
@@ -77,12 +77,17 @@ AWKWARD = ("\x1b[31mname", os.fsdecode(b"\xff\xfe"), "n" * 300, "a\0b", " ", "-x
 """Names that a file may have, or that a careless program breaks at."""
 LINKS = ("hard", "soft", "no/../tape")
 """Other names of the tape; soft is a link to it, hard the same file."""
+AGAIN = ("again", "round")
+"""Other names of the file on standard input, which is called reader."""
 KEPT = b"kept"
 INSTEAD = ("-", ".", "nowhere", "no/where", "hello.pal", "/dev/null", "/dev/zero", "", *AWKWARD)
 """What stands in the place of a source, one time in twenty."""
-OUTPUTS = ("out", "out", "tape", "no/out", "/dev/full", ".", *LINKS, *AWKWARD, "kept", "locked/out")
+OUTPUTS = (
+    *("out", "out", "tape", "no/out", "/dev/full", ".", *LINKS, *AWKWARD, "kept", "locked/out"),
+    *("reader", "again", "./reader", "round"),
+)
 RARE = {  # which part of their calls is made
-    **dict.fromkeys(("check", "cards", "nc view", "part compare", "tape read"), 0.1),
+    **dict.fromkeys(("check", "cards", "part compare", "tape read"), 0.1),
     **{"thesis make": 0.1, "workbench": 0.03, "thesis page": 0.03, "replay": 0.01},
 }
 NEVER = ("dap", "vectors", "--realtime", "--lsp", "--version", "--help")
@@ -263,6 +268,8 @@ def fault(seed: int, good: list[bytes]) -> str:
     line = arguments(chance)
     os.link("tape", "hard")
     os.symlink("tape", "soft")
+    os.link("reader", AGAIN[0])
+    os.symlink("reader", AGAIN[1])
     os.mkdir("locked")
     os.chmod("locked", 0o555)
     Path("kept").write_bytes(KEPT)
