@@ -7,7 +7,6 @@ sentence says so.
 from typing import Final, NamedTuple
 
 from pdp8.replay.afternoon import Afternoon
-from pdp8.replay.day import Kind
 from tapes.measure import inches
 
 _MADE: Final = {
@@ -68,10 +67,9 @@ def _cut(afternoon: Afternoon) -> str:
 
 def _measure(afternoon: Afternoon) -> str:
     if afternoon.inspection is None:
-        done = next(act for act in afternoon.acts if act.kind == Kind.MILL)
-        return (
-            f"{len(afternoon.path.holes)} holes, {done.seconds / 60:.0f} minutes after the tape was clamped."
-        )
+        path = afternoon.path
+        minutes = path.times.total / 60
+        return f"{len(path.holes)} holes in {minutes:.1f} minutes at the mill. No wall was measured."
     worst = afternoon.inspection.worst
     seen = "Up close the curve is a staircase" if afternoon.inspection.stepwise else "The wall is measured"
     return (
