@@ -149,8 +149,9 @@ class _Band:
     def _left(self, x: float, y: float) -> float:
         """Return how far to the left of the path a point is."""
         along, reach = self._dx * x + self._dy * y, 2 * self._tolerance + 2
-        first = max(1, bisect_left(self._along, along - reach))
-        last = max(first, min(len(self._path) - 1, bisect_left(self._along, along + reach)))
+        end = len(self._path) - 1
+        first = min(end, max(1, bisect_left(self._along, along - reach)))
+        last = max(first, min(end, bisect_left(self._along, along + reach)))
         nearest = _from_line(x, y, self._path[first - 1], self._path[first])
         for at in range(first + 1, last + 1):
             off = _from_line(x, y, self._path[at - 1], self._path[at])

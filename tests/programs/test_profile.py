@@ -24,8 +24,9 @@ CAMS: dict[str, tuple[Callable[[float], float], str]] = {
     ("name", "side", "technique"),
     [
         *((name, side, "step") for name in CAMS for side in ("outside", "inside")),
-        pytest.param(
-            "three lobes", "outside", "piece", marks=pytest.mark.slow("piece-wise technique, six seconds")
+        *(
+            pytest.param(*each, "piece", marks=pytest.mark.slow("piece-wise technique, six seconds"))
+            for each in (("three lobes", "outside"), ("cam", "inside"))
         ),
     ],
 )

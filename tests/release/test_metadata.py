@@ -43,7 +43,7 @@ def test_without_an_address_links_stay(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_one_address_leads_every_link_to_the_site(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PDP8_SITE", "https://example.org/pdp8/")
     links = {link.removeprefix("https://example.org/pdp8/") for link in LINK.findall(absolute(README))}
-    assert {"install.html", "workbench.png", "benchmarks.html", "CONTRIBUTING.html"} <= links
+    assert {"install.html", "room.png", "benchmarks.html", "CONTRIBUTING.html"} <= links
     assert not [link for link in links if "/" in link]
 
 
