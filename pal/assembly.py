@@ -97,7 +97,7 @@ class Assembly:
 
         if self._work.is_empty():
             return [empty(self.names)]
-        return told([*self._work.said(), *self.noted], self.names, self._work)
+        return told([*self._work.said(), *self.noted], self.names, self.place)
 
     @property
     def symbol_table(self) -> str:

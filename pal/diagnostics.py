@@ -14,18 +14,14 @@ Sources: DEC-08-ASAC-D, "Diagnostics"; the output of DEC-08-ASB1.
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from pal.assembler import Message
 from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
 from pal.notes import DIALECT, ERROR, NOTE, Note, Said
-from pal.source import Source
+from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, REFERENCES
-
-if TYPE_CHECKING:
-    from pal.work3 import Work3
-    from pal.work8 import Work8
 
 STOPPED = "PS01"
 """Where PAL III goes no further."""
@@ -125,11 +121,11 @@ def empty(names: Sequence[str]) -> Diagnostic:
     return Diagnostic(NOTE, "PN27", "the source is empty", "write at least a $", "", file, 1, 1, 2, "")
 
 
-def told(said: Iterable[Said], names: Sequence[str], work: "Work3 | Work8") -> list[Diagnostic]:
-    """Return what is said of a source as diagnostics, in the order of their places."""
+def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], Place]) -> list[Diagnostic]:
+    """Return what is said of a source as diagnostics, in the order of the places that `place_of` gives."""
     diagnostics: list[tuple[tuple[int, int, int], Diagnostic]] = []
     for severity, note, sentence in said:
-        place = work.place(note.at)
+        place = place_of(note.at)
         if severity == ERROR or not _silenced(place.text, note.code):
             end = max(place.end, place.start + 1) + 1
             shown = "" if note.code == DIALECT else place.text  # it is of the whole source

@@ -8,11 +8,29 @@ Words and addresses are octal, as text; addresses beyond 7777 have the field as 
 """
 
 import json
+from collections.abc import Mapping, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from pal.assembly import Assembly
+    from pal.diagnostics import Diagnostic
+    from pal.listing import ListingLine
+
+
+class Reported(Protocol):
+    """What a report needs of an assembly."""
+
+    @property
+    def names(self) -> Sequence[str]: ...
+    @property
+    def words(self) -> Mapping[int, int]: ...
+    @property
+    def symbols(self) -> Mapping[str, int]: ...
+    @property
+    def lines(self) -> "Sequence[ListingLine]": ...
+    @property
+    def diagnostics(self) -> "Sequence[Diagnostic]": ...
+
 
 _STYLE = (
     "<style>.pal td { font-family: monospace; text-align: left; white-space: pre; padding: 0 1em 0 0 }"
@@ -20,7 +38,7 @@ _STYLE = (
 )
 
 
-def as_json(assembly: "Assembly") -> str:
+def as_json(assembly: Reported) -> str:
     """Return the assembly as a JSON text."""
     content = {
         "words": {f"{address:04o}": f"{word:04o}" for address, word in assembly.words.items()},
@@ -40,7 +58,7 @@ def as_json(assembly: "Assembly") -> str:
     return json.dumps(content, indent=1) + "\n"
 
 
-def html(assembly: "Assembly") -> str:
+def html(assembly: Reported) -> str:
     """Return the listing as an HTML table, wrong lines marked, and below it what is wrong."""
     wrong = {(found.file, found.line) for found in assembly.diagnostics if found.error}
     rows = []

@@ -59,6 +59,21 @@ def test_imports_point_one_way() -> None:
                 assert not ACROSS.match(name), f"{here} imports {name}, which nobody does"
 
 
+def test_no_circle() -> None:
+    """No module imports itself by way of others, within functions and for types included."""
+    found = {name.removesuffix(".__init__"): set(imports(tree)) for _, name, tree in sources()}
+    ahead = {
+        name: {
+            each for each in names & found.keys() if not any(other.startswith(f"{each}.") for other in names)
+        }
+        for name, names in found.items()
+    }
+    while ready := [name for name, names in ahead.items() if not names & ahead.keys()]:
+        for name in ready:
+            del ahead[name]
+    assert ahead == {}, "each of these imports another of them"
+
+
 LIBRARIES = ("tapes", "pal", "programs", "nc")
 OF_COMMANDS = ("click", "rich", "prompt_toolkit")
 TOOLS = ("pal.grammar", "pal.server")
