@@ -62,16 +62,16 @@ def test_imports_point_one_way() -> None:
 def test_no_circle() -> None:
     """No module imports itself by way of others, within functions and for types included."""
     found = {name.removesuffix(".__init__"): set(imports(tree)) for _, name, tree in sources()}
-    ahead = {
-        name: {
-            each for each in names & found.keys() if not any(other.startswith(f"{each}.") for other in names)
-        }
-        for name, names in found.items()
-    }
+    ahead = {name: _modules(names & found.keys()) for name, names in found.items()}
     while ready := [name for name, names in ahead.items() if not names & ahead.keys()]:
         for name in ready:
             del ahead[name]
     assert ahead == {}, "each of these imports another of them"
+
+
+def _modules(names: set[str]) -> set[str]:
+    """Return the modules that are meant: of `from pdp8 import shelf` not pdp8 itself."""
+    return {each for each in names if not any(other.startswith(f"{each}.") for other in names)}
 
 
 LIBRARIES = ("tapes", "pal", "programs", "nc")
