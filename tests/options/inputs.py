@@ -326,6 +326,8 @@ _VALUES: Final = {
     "--show": "task",
     "--csv": "csv.out",
     "--junit": "junit.out",
+    "--gradescope": "results.out",
+    "--variants": "seeds.out",
     "--pages": "pages",
     "--seed": "5",
     "--cpu": "5",
