@@ -335,7 +335,7 @@ _VALUES: Final = {
     "--html": "page.html",
     "--chapter": "7",
     "--technique": "piece",
-    "--fastest": "3",
+    "--fastest": "2",
     "--stop": "inside",
     "--tool": "2",
     "--spindle": "32",
