@@ -34,7 +34,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("name", "texts"),
     [
         ("index.html", ["Moses Wong", 'href="pdp8.html"', 'href="start.html#words"']),
-        ("api/pdp8.computer.hardware.processor.html", ["Run one memory cycle.", "Not emulated"]),
+        ("api/pdp8.computer.hardware.processor.html", ["Run one memory cycle", "Not emulated"]),
     ],
 )
 def test_a_page_has_its_words(site: Path, name: str, texts: list[str]) -> None:

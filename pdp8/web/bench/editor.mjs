@@ -384,7 +384,7 @@ export class Editor {
   /** Whether core holds what is listed: more than half of its words; the others are data that have changed. */
   get #inCore() {
     const { machine: { processor: { core } } } = this.bench;
-    const { words } = this.assembly;
+    const words = this.assembly?.words ?? [];
     return this.area.readOnly || words.filter(([address, word]) => core[address] === word).length > words.length / 2;
   }
 

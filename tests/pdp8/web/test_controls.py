@@ -168,7 +168,12 @@ CONTROLS = {
         f"{AFTERNOON} window.copied = 0; navigator.clipboard.writeText = async () => {{ window.copied++; }};",
     ),
     "#part-name": Control(of("#part-name"), PARTS, "e"),
-    "#part-options [name]": Control(of("#part-options [name]"), PARTS, "7"),
+    "#part-options [type=checkbox]": Control(of("#part-options [type=checkbox]", "checked"), PARTS, "Space"),
+    "#part-options [name]:not([type=checkbox])": Control(
+        of("#part-options [name]:not([type=checkbox])"),
+        f"{PARTS} document.querySelector('#part-options details').open = true;",
+        "p",
+    ),
     "#part-options summary": Control(of("#part-options details", "open"), PARTS),
     "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
     "#part-translate": Control(f"{TTY}.reader.position", READY),
