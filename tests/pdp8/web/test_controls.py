@@ -69,6 +69,7 @@ PARTS = (
     f"{opened('parts')} document.getElementById('part-name').value = 'circle';"
     "document.getElementById('part-name').dispatchEvent(new Event('change'));"
 )
+DOOR = "document.querySelector('#part-options details').open = true;"
 READY = (
     f"{PARTS} workbench.parts.name = 'circle.asc'; workbench.teletype.mount('circle.asc');"
     "for (const id of ['part-translate', 'part-cut']) document.getElementById(id).disabled = false;"
@@ -169,11 +170,8 @@ CONTROLS = {
     ),
     "#part-name": Control(of("#part-name"), PARTS, "e"),
     "#part-options [type=checkbox]": Control(of("#part-options [type=checkbox]", "checked"), PARTS, "Space"),
-    "#part-options [name]:not([type=checkbox])": Control(
-        of("#part-options [name]:not([type=checkbox])"),
-        f"{PARTS} document.querySelector('#part-options details').open = true;",
-        "p",
-    ),
+    "#part-options select": Control(of("#part-options select"), f"{PARTS} {DOOR}", "ArrowDown"),
+    "#part-options [type=text]": Control(of("#part-options [type=text]"), f"{PARTS} {DOOR}", "7"),
     "#part-options summary": Control(of("#part-options details", "open"), PARTS),
     "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
     "#part-translate": Control(f"{TTY}.reader.position", READY),
@@ -200,7 +198,7 @@ _ALL = f"workbench.enter(); workbench.room.leave(); {CUT} {LOADED} {WRONG} {OPEN
 """Everything that can be there is there: a listing, messages, blocks, the card."""
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""
-_FIELDS = "select, textarea, input:not([type=checkbox]), [tabindex='0']:not(button)"
+_FIELDS = "select, textarea, input:not([type=checkbox], [type=range]), [tabindex='0']:not(button)"
 """What a pointer gives the focus to, and keys then work."""
 _FOUND = """(selectors) => {
   const controls = "button, input:not([hidden]), select, textarea, summary, a[href], [tabindex='0']";
