@@ -8,7 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from types import FrameType, SimpleNamespace
+from types import FrameType
 
 from pdp8.cli.running.feed import Feed
 from pdp8.cli.running.outputs import Output, send
@@ -29,12 +29,18 @@ _SILENT = 5.0
 """Seconds of ours without a frame, after which a run at a terminal says where it is."""
 
 
+class Interrupt:
+    """Whether Ctrl-C was pressed."""
+
+    pressed = False
+
+
 @contextmanager
-def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[SimpleNamespace]:
+def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[Interrupt]:
     """Note Ctrl-C as `pressed`, and call `on_press`, instead of breaking off at once. The second one raises
     KeyboardInterrupt, for code that does not look.
     """
-    noted = SimpleNamespace(pressed=False)
+    noted = Interrupt()
 
     def press(number: int, frame: FrameType | None) -> None:
         if noted.pressed:
@@ -100,7 +106,7 @@ def run(
 
         def idle() -> bool:
             send(outputs)
-            return bool(interrupt.pressed)
+            return interrupt.pressed
 
         feed.idle = idle
         ended: Stop | None = None
