@@ -13,6 +13,8 @@ from pdp8.computer.hardware.bus import Device
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
+_MARK = "__file_of_devices__"
+
 Devices = dict[int, type[Device]]
 """Classes of devices, by their codes."""
 
@@ -51,6 +53,16 @@ def fit(machine: Machine, classes: Devices) -> None:
                 raise WorkError(f"{made.__name__}: fields names {name}, and it has no such attribute")
 
 
+def fault(error: BaseException) -> str:
+    """Return in which line of a device's file an error was raised, and what it says; "" if in none."""
+    said, at = "", error.__traceback__
+    while at is not None:
+        if file := at.tb_frame.f_globals.get(_MARK):
+            said = f"{file}, line {at.tb_lineno}: {type(error).__name__}: {error}"
+        at = at.tb_next
+    return said
+
+
 def _device(file: str, name: str) -> type[Device]:
     if not os.path.isfile(file):
         raise WorkError(f"{file}: no such file")
@@ -58,6 +70,7 @@ def _device(file: str, name: str) -> type[Device]:
     if spec is None or spec.loader is None:
         raise WorkError(f"{file}: a device is in a Python file, NAME.py")
     module = module_from_spec(spec)
+    setattr(module, _MARK, file)
     try:
         spec.loader.exec_module(module)
     except (Exception, SystemExit) as error:

@@ -119,3 +119,22 @@ def test_a_bus_refuses_by_name() -> None:
     fitting.fit(made, {0o13: clock})
     with pytest.raises(WorkError, match="KW8: device 13 is fitted already"):
         fitting.fit(made, {0o13: clock})
+
+
+def test_an_error_in_a_device_names_its_line_and_none_of_ours_is_hidden(
+    call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = Path("clock.py").read_text()
+    pulse = "    def pulse(self, iop, ac, now):\n"
+    assert pulse in clock
+    Path("clock.py").write_text(clock.replace(pulse, f"{pulse}        1 // 0\n"))
+    line = clock[: clock.index(pulse)].count("\n") + 2
+    said = f"clock.py, line {line}: ZeroDivisionError: integer division or modulo by zero\n"
+    assert call("pdp8 run --device clock.py:KW8 ticks.pal") == (1, "", f"pdp8 run: {said}")
+
+    def broken(machine: Machine) -> str:
+        raise KeyError("ours")
+
+    monkeypatch.setattr(state, "save", broken)
+    with pytest.raises(KeyError, match="ours"):
+        call("pdp8 run hello.pal --save a.state")

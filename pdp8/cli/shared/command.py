@@ -224,6 +224,12 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         gone = isinstance(error, FileNotFoundError)  # as os.getcwd has it
         where = error.filename or ("the current folder" if gone else "standard output")
         return _complain(f"{_path(command, name, arguments)}: {where}: {error.strerror or error}", 1)
+    except Exception as error:
+        fitting = sys.modules.get("pdp8.fitting")  # there only if a device of somebody's is
+        said = fitting.fault(error) if fitting else ""
+        if not said:
+            raise
+        return _complain(f"{_path(command, name, arguments)}: {said}", 1)
     return ended if isinstance(ended, int) else 0
 
 
