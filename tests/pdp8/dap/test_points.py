@@ -163,7 +163,7 @@ def test_a_pause_while_the_machine_stands_has_no_effect(folder: Path) -> None:
         folder,
         *launched({"program": "counts.pal"}),
         ["pause", {"threadId": 1}],
-        console("wait 2"),
+        [*console("wait 2"), "stopped"],
         ["evaluate", {"expression": "cont", "context": "repl"}, "stopped"],
     )
     assert seen.answers[-1]["event"]["reason"] in ("halt", "pause")

@@ -137,6 +137,7 @@ def compare(request: dict[str, Any], answer: dict[str, Any], moment: Moment, at:
 
 def test_what_is_printed_again_after_going_back_is_shown_again(folder: Path) -> None:
     go = ["continue", {"threadId": 1}, "stopped"]
-    seen = play(folder, *launched({"program": "hello.pal"}), go, console("back 6 characters"), go)
+    back = [*console("back 6 characters"), "stopped"]
+    seen = play(folder, *launched({"program": "hello.pal"}), go, back, go)
     once = "\nHELLO, WORLD.\n"
     assert page(seen) == once + once[-5:], "CR and LF are two of the six"
