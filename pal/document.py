@@ -10,13 +10,14 @@ from functools import cached_property
 from itertools import groupby, zip_longest
 from typing import NamedTuple
 
-from pal import meaning, symbols8, text
+from pal import meaning, symbols8
 from pal.assembling import FOUND, assemble
 from pal.assembly import PAL8
 from pal.diagnostics import Diagnostic
 from pal.isa import IOT
 from pal.pieces import COMMENT, NAME, NUMBER, TEXT, Piece, comment, pieces
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT
+from pal.text import Text
 
 SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 TAG, VALUE = "tag", "value"
@@ -68,10 +69,10 @@ class Routine(NamedTuple):
 class Document:
     """The tapes of a program, assembled: their `texts`, and what diagnostics call them."""
 
-    def __init__(self, texts: Sequence[str], names: Sequence[str], dialect: str = FOUND) -> None:
+    def __init__(self, texts: Sequence[Text], names: Sequence[str], dialect: str = FOUND) -> None:
         self.texts = list(texts)
-        self.tapes = [text.lines(each) for each in texts]
-        self.assembly = assemble(*texts, names=names, dialect=dialect)
+        self.tapes = [text.lines for text in texts]
+        self.assembly = assemble(*(text.content for text in texts), names=names, dialect=dialect)
         self.dialect = self.assembly.dialect
         self._names = names
 
@@ -87,6 +88,11 @@ class Document:
     def line(self, tape: int, line: int) -> str:
         """Return the text of a line, "" for one that the tape does not have."""
         return self.tapes[tape][line] if line < len(self.tapes[tape]) else ""
+
+    def characters(self, span: Span) -> tuple[int, int]:
+        """Return the first and the last character of a span as its editor counts them."""
+        text = self.texts[span.tape]
+        return text.character(span.line, span.start), text.character(span.line, span.end)
 
     def written_at(self, tape: int, line: int, column: int) -> Span | None:
         """Return where the symbol at a place is written; None in a comment, in a text and elsewhere."""

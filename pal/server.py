@@ -153,7 +153,7 @@ class Answers:
             document, _ = self._workspace.document(tapes[0])
             for tape, uri in enumerate(tapes):
                 if uri in self._workspace.open:
-                    found = [self._diagnostic(uri, document, tape, each) for each in document.found(tape)]
+                    found = [self._diagnostic(document, tape, each) for each in document.found(tape)]
                     self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, found))
 
     def _take_as(self, uri: str, dialect: str) -> None:
@@ -161,21 +161,20 @@ class Answers:
         self._workspace.chosen[self._workspace.tapes(uri)[0]] = dialect
         self._publish([uri])
 
-    def _diagnostic(self, uri: str, document: Document, tape: int, found: Diagnostic) -> lsp.Diagnostic:
+    def _diagnostic(self, document: Document, tape: int, found: Diagnostic) -> lsp.Diagnostic:
         span = Span(tape, found.line - 1, found.column - 1, found.end_column - 1)
         said = "\n".join(each for each in (found.message, found.advice, found.hint) if each)
-        where, severity = self._range(uri, document, span), _SEVERITIES[found.error]
+        where, severity = self._range(document, span), _SEVERITIES[found.error]
         return lsp.Diagnostic(where, said, severity, code=found.code or None, source="pal")
 
-    def _range(self, uri: str, document: Document, span: Span) -> lsp.Range:
-        first, last = self._workspace.characters(uri, document, span)
+    def _range(self, document: Document, span: Span) -> lsp.Range:
+        first, last = document.characters(span)
         return lsp.Range(lsp.Position(span.line, first), lsp.Position(span.line, last))
 
     def _here(self, uri: str, at: lsp.Position) -> tuple[Document, int, int, int]:
         """Return the program of a source, and the tape, line and column of a place in it."""
         document, tape = self._workspace.document(uri)
-        text = self._workspace.open.get(uri) or Text(document.texts[tape], self._workspace.unit)
-        return document, tape, at.line, text.column(at.line, at.character)
+        return document, tape, at.line, document.texts[tape].column(at.line, at.character)
 
     def _at(self, params: _Placed) -> tuple[Document, int, str]:
         document, tape, line, column = self._here(params.text_document.uri, params.position)
@@ -186,7 +185,7 @@ class Answers:
         document, _, name = self._at(params)
         tapes = self._workspace.tapes(params.text_document.uri)
         for span in document.places(name, defined):
-            yield tapes[span.tape], self._range(tapes[span.tape], document, span)
+            yield tapes[span.tape], self._range(document, span)
 
     def _locations(self, params: _Placed, defined: bool | None) -> list[lsp.Location]:
         return [lsp.Location(uri, where) for uri, where in self._places(params, defined)]
@@ -214,7 +213,7 @@ class Answers:
         reason = document.refusal(name, name)
         if span is None or reason:
             raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
-        return self._range(params.text_document.uri, document, span)
+        return self._range(document, span)
 
     def _rename(self, params: lsp.RenameParams) -> lsp.WorkspaceEdit:
         document, _, name = self._at(params)
@@ -241,7 +240,7 @@ class Answers:
         last = -1
         for each in document.definitions:
             if each.span.tape == tape:
-                symbol = self._symbol(uri, document, each)
+                symbol = self._symbol(document, each)
                 if each.name in routines:
                     last = routines[each.name].last
                     end = lsp.Position(last, len(document.line(tape, last)))
@@ -254,15 +253,15 @@ class Answers:
                     outline.append(symbol)
         return outline
 
-    def _symbol(self, uri: str, document: Document, each: Definition) -> lsp.DocumentSymbol:
-        where, name = self._range(uri, document, each.span), document.written(each.name)
+    def _symbol(self, document: Document, each: Definition) -> lsp.DocumentSymbol:
+        where, name = self._range(document, each.span), document.written(each.name)
         return lsp.DocumentSymbol(name, _SYMBOLS[each.kind], where, where, detail=f"{each.value:04o}")
 
     def _symbols(self, params: lsp.WorkspaceSymbolParams) -> list[lsp.WorkspaceSymbol]:
         """Return the symbols of all programs that are open whose names contain the query."""
         return [
             lsp.WorkspaceSymbol(
-                lsp.Location(tapes[each.span.tape], self._range(tapes[each.span.tape], document, each.span)),
+                lsp.Location(tapes[each.span.tape], self._range(document, each.span)),
                 document.written(each.name),
                 _SYMBOLS[each.kind],
             )
@@ -291,7 +290,7 @@ class Answers:
         data: list[int] = []
         line = character = 0
         for span, kind, defined in document.tokens(tape):
-            first, end = self._workspace.characters(uri, document, span)
+            first, end = document.characters(span)
             if span.line != line:
                 character = 0
             data += [span.line - line, first - character, end - first, KINDS.index(kind), int(defined)]
@@ -305,9 +304,9 @@ class Answers:
         found: list[lsp.CodeAction | lsp.Command] = []
         for each in document.found(tape):
             if params.range.start.line <= each.line - 1 <= params.range.end.line:
-                shown = [self._diagnostic(uri, document, tape, each)]
+                shown = [self._diagnostic(document, tape, each)]
                 for title, edits in fixes(document, tape, each):
-                    changes = [lsp.TextEdit(self._range(uri, document, span), new) for span, new in edits]
+                    changes = [lsp.TextEdit(self._range(document, span), new) for span, new in edits]
                     edit = lsp.WorkspaceEdit(changes={uri: changes})
                     found.append(lsp.CodeAction(title, lsp.CodeActionKind.QuickFix, shown, edit=edit))
         if not document.assembly.ok:
@@ -317,7 +316,7 @@ class Answers:
 
     def _formatting(self, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
         document, tape = self._workspace.document(params.text_document.uri)
-        before = document.texts[tape]
+        before = document.texts[tape].content
         after = formatted(before, document.dialect)
         whole = lsp.Range(lsp.Position(0, 0), lsp.Position(len(document.tapes[tape]), 0))
         return [] if after == before else [lsp.TextEdit(whole, after)]

@@ -12,11 +12,6 @@ UTF8, UTF16, UTF32 = "utf-8", "utf-16", "utf-32"
 _ENDS = re.compile(r"\r\n|\r|\n")
 
 
-def lines(content: str) -> list[str]:
-    """Return the lines of a text without their ends; one more than there are ends."""
-    return _ENDS.split(content)
-
-
 class Text:
     """The text of a document, in the `unit` of its editor; an edit gives a new one."""
 
@@ -26,8 +21,8 @@ class Text:
 
     @cached_property
     def lines(self) -> list[str]:
-        """The lines without their ends."""
-        return lines(self.content)
+        """The lines without their ends; one more than there are ends."""
+        return _ENDS.split(self.content)
 
     @cached_property
     def _starts(self) -> list[int]:

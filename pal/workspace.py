@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from pal.document import Document, Span
+from pal.document import Document
 from pal.text import UTF16, Text
 
 
@@ -52,11 +52,12 @@ class Workspace:
     def document(self, uri: str) -> tuple[Document, int]:
         """Return the program that a source belongs to, assembled, and which of its tapes the source is."""
         tapes = tuple(self.tapes(uri))
-        texts = tuple(self.open[tape].content if tape in self.open else self._read(tape) for tape in tapes)
+        texts = [self.open.get(tape) or Text(self._read(tape), self.unit) for tape in tapes]
+        contents = tuple(text.content for text in texts)
         dialect = self.chosen.get(tapes[0], self.dialect)
         made = self._made.get(tapes)
-        if made is None or made[:2] != (texts, dialect):
-            made = self._made[tapes] = texts, dialect, Document(texts, _names(tapes), dialect)
+        if made is None or made[:2] != (contents, dialect):
+            made = self._made[tapes] = contents, dialect, Document(texts, _names(tapes), dialect)
         return made[2], tapes.index(uri)
 
     def close(self, uri: str) -> None:
@@ -68,11 +69,6 @@ class Workspace:
         """Yield each program of which a tape is open, with its tapes."""
         for tapes in dict.fromkeys(tuple(self.tapes(uri)) for uri in self.open):
             yield tapes, self.document(tapes[0])[0]
-
-    def characters(self, uri: str, document: Document, span: Span) -> tuple[int, int]:
-        """Return the first and last character of a span as the editor counts them."""
-        text = self.open.get(uri) or Text(document.texts[span.tape], self.unit)
-        return text.character(span.line, span.start), text.character(span.line, span.end)
 
 
 def _plain(uri: str) -> str:

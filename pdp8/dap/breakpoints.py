@@ -4,8 +4,8 @@ A breakpoint at a line without a word goes to the next that has one. One at an a
 breakpoint to the editor: its name is an octal address or a symbol. One with a condition, a count of hits or a
 log message is looked at when the run comes to it; a log message is said, and the run goes on.
 
-What the editor asked for is kept: a program that is loaded anew has its breakpoints placed anew, with the
-numbers that they had.
+What the editor asked for is kept. When a program is loaded again, its breakpoints are placed again and keep
+their numbers.
 """
 
 import operator
@@ -139,7 +139,7 @@ class Breakpoints:
         return [points[key].described(places) for key, _ in asked]
 
     def place_anew(self, monitor: Monitor, places: Places) -> list[Body]:
-        """Place all in a program that was loaded anew; return those that are elsewhere now."""
+        """Place all in a program that was loaded again; return those whose place is another now."""
         moved = []
         for point in self:
             was = point.described(places)

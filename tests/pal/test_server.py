@@ -79,7 +79,7 @@ def test_an_editor_is_answered(name: str, capsys: pytest.CaptureFixture[str]) ->
 
 def one(text: str, dialect: str = "pal3") -> Document:
     """Return the document of a program of one tape."""
-    return Document([text], ["x.pal"], dialect)
+    return Document([Text(text)], ["x.pal"], dialect)
 
 
 def test_what_is_known_is_the_dialects() -> None:
