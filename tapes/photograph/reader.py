@@ -3,11 +3,9 @@
     light        the file as shades of grey                                       (pixels.py)
     rows         small round holes in a row, followed one by one                  (sprockets.py)
     paper        a sheet around such a row, with holes and edges at their places  (paper.py)
-    channels     here: how dark each place of the flattened sheet is, beside paper around it and holes near
+    cells        how dark each place of a hole is, and what makes it doubtful      (cells.py)
 
-A frame is sure only if everything around it is as on a tape: its sprocket hole and both edges of the paper
-are seen, holes are at their places, paper is clear, holes are round and as dark as those near. Anything else
-makes it doubtful, and says why. A strip with more doubtful frames than the sure ones can carry is left out.
+A strip with more doubtful frames than the sure ones can carry is left out.
 
 Not emulated: holes with hanging chad are doubtful, not mended; five-channel tape is refused. Tape seen from
 below looks like another tape seen from above: `underside` has to say so.
@@ -21,8 +19,8 @@ import cv2
 import numpy as np
 
 from tapes.errors import TapeError
-from tapes.photograph import pixels, sprockets
-from tapes.photograph.flat import SAMPLES, Flat, flatten
+from tapes.photograph import cells, pixels, sprockets
+from tapes.photograph.flat import SAMPLES, flatten
 from tapes.photograph.paper import Found, find
 from tapes.photograph.pixels import Array
 from tapes.photograph.sheet import Sheet
@@ -30,13 +28,6 @@ from tapes.photograph.sheet import Sheet
 FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
 
-UNSEEN = "its sprocket hole is not seen"
-"""Why a frame is doubtful in a gap: it was counted by its distance from those before."""
-
-_TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
-"""Channels 1 to 8, in pitches from the sprocket track."""
-_SPROCKET = 3
-"""Its number among the tracks from channel 1 to channel 8."""
 _ADVICE = {
     "holes are not at their places": "lay it flat, and photograph it from straight above",
     "an edge of the paper is not seen": "both edges have to be free, on something of another colour",
@@ -45,10 +36,8 @@ _ADVICE = {
 }
 """What to do about a strip most of whose frames are doubtful for this reason; about any other: _DARKER."""
 _DARKER = "lay it on something black and even, or light it from behind"
-_WINDOW = 8
 _MOST_DOUBTFUL = 0.35
 _FAILURES = 4
-_LEAST_LIGHT = 6
 _NO_TAPE = "no tape in the picture: "
 
 
@@ -168,40 +157,27 @@ def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
     return found, why[0] if why else "no row of small round holes was found"
 
 
-class _Cells(NamedTuple):
-    """Of each frame (n) and channel (8): how dark the middle is, the darkest and brightest of what should be
-    like it, and the darkness of eight places beyond the hole; all in parts of a hole's full darkness (n).
-    """
-
-    core: Array
-    most: Array
-    ring: Array
-    full: Array
-    sprocket: Array
-    paper: Array
-
-
 def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
     flat = flatten(pictures, tape.sheet)
     flat = flat._replace(light=cv2.GaussianBlur(flat.light, (0, 0), 0.08 * SAMPLES))
     u = np.arange(tape.sheet.length, dtype=float)[:, None]
-    places = tape.sheet.place(u, np.concatenate([[0], _TRACKS]))
+    places = tape.sheet.place(u, np.concatenate([[0], cells.TRACKS]))
     shown = pictures.show(places)
-    on_paper = _on_paper(flat, tape.edged) & shown[:, 0]
+    on_paper = cells.on_paper(flat, tape.edged) & shown[:, 0]
     if on_paper.sum() < sprockets.FEWEST:
         return Strip([], why=_NO_TAPE + "no paper around the row of holes")
-    cells = _cells(flat, tape.sheet.length)
+    measured = cells.measure(flat, tape.sheet.length)
     along, across = tape.sheet.pitches()
     least = float(np.quantile(np.minimum(along, across)[on_paper], 0.02))
     if least < FEWEST_PIXELS:
         why = f"rows and tracks are only {least:.1f} pixels apart: 6 are needed; photograph it from nearer"
         return Strip([], why=why)
-    doubts = _doubts(cells, tape, _ends(flat, tape.sheet, pictures, on_paper), ~shown[:, 1:])
+    doubts = cells.doubts(measured, tape, cells.ends(flat, tape.sheet, pictures, on_paper), ~shown[:, 1:])
     doubtful = np.any([*doubts.values()], axis=0)
-    margin = abs(cells.core - 0.5)
+    margin = abs(measured.core - 0.5)
     frames = [
         Frame(
-            _mask(cells.core[at] > 0.5),
+            _mask(measured.core[at] > 0.5),
             _mask(doubtful[at]),
             next((why for why, where in doubts.items() if where[at, doubtful[at].argmax()]), ""),
             tuple((round(float(x)), round(float(y))) for x, y in places[at]),
@@ -210,7 +186,7 @@ def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
         )
         for at in np.nonzero(on_paper)[0]
     ]
-    return Strip(frames, _leaves(tape.sheet, pictures, on_paper), _too_doubtful(frames))
+    return Strip(frames, _leaves(tape.sheet, pictures, on_paper), too_doubtful(frames))
 
 
 def _leaves(sheet: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> tuple[bool, bool]:
@@ -225,7 +201,7 @@ def _mask(channels: Array) -> int:
     return sum(1 << channel for channel in np.nonzero(channels)[0].tolist())
 
 
-def _too_doubtful(frames: list[Frame]) -> str:
+def too_doubtful(frames: list[Frame]) -> str:
     """Return why a strip cannot be read if too many of its frames are doubtful, or ""."""
     why = [frame.why for frame in frames if frame.doubtful]
     if len(why) <= _MOST_DOUBTFUL * len(frames):
@@ -233,113 +209,3 @@ def _too_doubtful(frames: list[Frame]) -> str:
     most = max(set(why), key=why.count)
     advice = _ADVICE.get(most, _DARKER)
     return f"{len(why)} of {len(frames)} frames are doubtful, most of them: {most}; {advice}"
-
-
-def _on_paper(flat: Flat, edged: Array) -> Array:
-    """Return which rows have paper around them, and a hole in it: from the first that has to the last."""
-    u = np.arange(len(edged), dtype=float)[:, None]
-    v = np.arange(-2.5, 5)
-    light = [flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)]
-    paper = np.median(np.concatenate(light, axis=1), axis=1)
-    depth = 1 - flat.take(flat.light, u, 0 * u)[:, 0] / np.maximum(paper, 1)
-    rows = np.nonzero(edged & (depth > 0.5 * np.median(depth)))[0]
-    there = np.zeros(len(edged), dtype=bool)
-    if len(rows):
-        there[rows[0] : rows[-1] + 1] = True
-    return there
-
-
-def _ends(flat: Flat, tape: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> Array:
-    """Return which rows are a first or last one beyond which there is room for another one on the paper."""
-    found = np.zeros(len(on_paper), dtype=bool)
-    rows = np.nonzero(on_paper)[0]
-    v = np.arange(-2.5, 5)
-    last = np.array(pictures.pictures[0].shape[::-1]) - 1
-    for end, way in ((rows[0], -1), (rows[-1], 1)):
-        near, beyond = (end + way * np.array(off)[:, None] for off in (np.arange(-5.0, 1), (0.8, 1.1)))
-        paper = np.median(flat.take(flat.light, *np.broadcast_arrays(near - way / 2, v)))
-        hole = np.quantile(flat.take(flat.light, near, 0 * near), 0.25)
-        light = np.median(flat.take(flat.light, *np.broadcast_arrays(beyond, v)), axis=1).min()
-        places = tape.place(beyond, v)
-        found[end] = (places == places.clip(0, last)).all() and light > (paper + hole) / 2
-    return found
-
-
-_OFFSETS = np.arange(-4, 5) / SAMPLES
-_AWAY = np.hypot(*np.meshgrid(_OFFSETS, _OFFSETS))
-_CORE = np.exp(-0.5 * (_AWAY / 0.11) ** 2)
-_CORE /= _CORE.sum()
-_TURNS = (np.arange(8) + 0.5) * np.pi / 4
-_RING = 0.52 * np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1)
-
-
-def _cells(flat: Flat, length: int) -> _Cells:
-    """Measure each place of a hole beside the paper at its four corners."""
-    rows, tracks = np.arange(length, dtype=float)[:, None], np.arange(-3.0, 6)
-    between = np.broadcast_arrays(np.arange(-0.5, length)[:, None], np.arange(-3.5, 6))
-    corners = flat.take(cv2.blur(flat.light, (3, 3)), *between)
-
-    def paper(along: float, aside: float) -> Array:
-        sides = corners[:-1] * (0.5 - along) + corners[1:] * (0.5 + along)
-        return np.maximum(sides[:, :-1] * (0.5 - aside) + sides[:, 1:] * (0.5 + aside), 1)
-
-    def dark(along: float, aside: float) -> Array:
-        here = flat.take(flat.light, *np.broadcast_arrays(rows + along, tracks + aside))
-        return np.asarray(1 - here / paper(along, aside))
-
-    disc = np.stack([[dark(along, aside) for along in _OFFSETS] for aside in _OFFSETS])
-    core = np.tensordot(_CORE, disc, axes=2)
-    ring = np.stack([dark(along, aside) for along, aside in _RING])
-    inside = disc[_AWAY < 0.3]
-    sprocket, codes = core[:, _SPROCKET], np.delete(core, _SPROCKET, axis=1)
-    full = _full(codes, sprocket)
-    spread = np.where(core > 0.5 * full[:, None], inside.min(axis=0), inside.max(axis=0))
-    most, beside = (np.delete(of, _SPROCKET, axis=-1) for of in (spread, ring))
-    scale = full[:, None]
-    light = np.delete(paper(0, 0), _SPROCKET, axis=1)
-    return _Cells(codes / scale, most / scale, beside / scale, full, sprocket / full, light)
-
-
-def _full(core: Array, sprocket: Array) -> Array:
-    """Return how dark a hole is around each frame, as a part of the paper's light, by the clear ones near.
-
-    Sprocket holes, which are everywhere, are blurred more than code holes: these count where there are any.
-    """
-    clear = core > 0.5 * sprocket[:, None]
-    more = np.median(core[clear]) / np.median(sprocket) if clear.sum() > 8 else 1.1
-    full = np.empty(len(core))
-    for at in range(len(core)):
-        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
-        there = core[near][core[near] > 0.5 * np.median(sprocket[near])]
-        full[at] = np.median(there) if len(there) >= 6 else more * np.median(sprocket[near])
-    return np.maximum(full, 0.01)
-
-
-def _doubts(cells: _Cells, tape: Found, beyond: Array, outside: Array) -> dict[str, Array]:
-    """Return where (n, 8) a place is doubtful, by why, the worst first."""
-    hole = cells.core > 0.5
-    rows = {
-        UNSEEN: ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6),
-        "the tape goes on beyond it, where no sprocket hole is seen": beyond,
-        "holes are not at their places": tape.astray > 0.08,
-        "an edge of the paper is not seen": ~tape.edged,
-    }
-    return {why: np.broadcast_to(where[:, None], hole.shape) for why, where in rows.items()} | {
-        "outside the picture": outside,
-        "not a round hole: torn, or dirt": hole & ((cells.ring > 0.6).sum(axis=0) >= 2),
-        "a hole that is not dark throughout": hole & (cells.most < 0.25),
-        "paper that is not clear": ~hole & (cells.most > 0.5),
-        "too little light": cells.full[:, None] * cells.paper < _LEAST_LIGHT,
-        "between paper and hole": abs(cells.core - 0.5) < np.maximum(0.25, 4.5 * _noise(cells.core, hole)),
-    }
-
-
-def _noise(core: Array, hole: Array) -> Array:
-    """Return the standard deviation of what is alike around each place, holes or paper."""
-    found = np.empty(core.shape)
-    for at in range(len(core)):
-        near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)
-        for kind in np.unique(hole[at]):
-            like = core[near][hole[near] == kind]
-            found[at, hole[at] == kind] = 1.48 * np.median(abs(like - np.median(like)))
-    return found
