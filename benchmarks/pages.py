@@ -12,9 +12,14 @@ engine compile it; the least of the repeats counts, by `performance.now()`.
     script     ms of JavaScript for a picture of the room, median and 95 %, in calm acts and in busy ones
     frames     pictures a second; a browser without a graphics processor draws them all by itself
 
-The room is opened on a screen of 1366 x 768, and on a telephone whose processor is slowed four times.
+The room is opened on a screen of 1366 x 768, and on a telephone whose processor is slowed four times. So is
+the page that teaches the method, and read from its top to its end:
 
-    python -m benchmarks.pages [--repeat 40] [--room]
+    longest    ms of the longest task of the page's own thread: at the opening, and while it is read. Chromium
+               tells of none under 50; the least of three visits
+    shift      as above, all the way
+
+    python -m benchmarks.pages [--repeat 40] [--room | --curve]
 """
 
 import json
@@ -31,6 +36,7 @@ from rich.table import Table
 
 import pal
 from benchmarks.kernels import kernel
+from pdp8.web import curve
 from pdp8.web.workbench import page
 from tests.pdp8.web import firefox
 from tests.pdp8.web.browsing import CHROMIUM, DESK, launched, until, visit
@@ -109,6 +115,12 @@ _OBSERVED = """() => {  // before the page's own scripts
     window.first ??= script?.now;
   });
 }"""
+_LONG = """() => {
+  window.longest = 0;
+  new PerformanceObserver((list) => {
+    for (const each of list.getEntries()) window.longest = Math.max(window.longest, each.duration);
+  }).observe({ type: "longtask", buffered: true });
+}"""
 _PAINTED = "performance.getEntriesByName('first-contentful-paint')[0]?.startTime"
 _ACT = """(turn) => {
   const { room } = workbench;
@@ -157,6 +169,40 @@ def opening(browser: Any, address: str, options: dict[str, Any], slower: int) ->
     return found
 
 
+def reading(browser: Any, address: str, options: dict[str, Any], slower: int) -> tuple[float, float, float]:
+    """Return the longest tasks at the opening of the page and while it is read, and the shift."""
+    context = browser.new_context(**options)
+    context.add_init_script(f"({_OBSERVED})(); ({_LONG})()")
+    tab = context.new_page()
+    tab.context.new_cdp_session(tab).send("Emulation.setCPUThrottlingRate", {"rate": slower})
+    tab.goto(address)
+    until(tab, "!!window.curve")
+    tab.wait_for_timeout(2000)
+    opened = tab.evaluate("longest")
+    tab.evaluate("window.longest = 0")
+    for down in range(0, tab.evaluate("document.documentElement.scrollHeight"), 300):
+        tab.evaluate(f"scrollTo(0, {down})")
+        tab.wait_for_timeout(250)
+    tab.wait_for_timeout(2000)
+    found = opened, tab.evaluate("longest"), tab.evaluate("shift")
+    assert all(tab.evaluate("[...document.querySelectorAll('.said')].map((said) => said.textContent)"))
+    context.close()
+    return found
+
+
+def read() -> Iterator[tuple[str, str, str]]:
+    """Yield for each visitor of the page of the method what, and how much of it."""
+    with tempfile.TemporaryDirectory() as folder, launched() as browser:
+        file = Path(folder) / "curve.html"
+        file.write_text(curve.page(), encoding="utf-8")
+        for visitor, (options, slower) in VISITORS.items():
+            visits = [reading(browser, file.as_uri(), options, slower) for _ in range(3)]
+            opening_, reading_, shift = (min(each) for each in zip(*visits, strict=True))
+            yield visitor, "longest, opening", f"{opening_:.0f}" if opening_ else "< 50"
+            yield visitor, "longest, reading", f"{reading_:.0f}" if reading_ else "< 50"
+            yield visitor, "shift", f"{shift:.3f}"
+
+
 def visited() -> Iterator[tuple[str, str, str]]:
     """Yield for each visitor what, and how much of it."""
     with written() as address, launched() as browser:
@@ -182,16 +228,21 @@ def measured(repeat: int) -> Iterator[tuple[str, str, float]]:
 @click.command()
 @click.option("--repeat", type=click.IntRange(min=1), default=40, show_default=True, help="Runs of each.")
 @click.option("--room", is_flag=True, help="The room alone, without the kernels.")
-def main(repeat: int, room: bool) -> None:
-    """Run the kernels on the pages' machine, and visit the room."""
+@click.option("--curve", "method", is_flag=True, help="The page of the method alone.")
+def main(repeat: int, room: bool, method: bool) -> None:
+    """Run the kernels on the pages' machine, visit the room, read the page of the method."""
     console = Console(width=None if sys.stdout.isatty() else 120)
-    table = Table(title="the room, as a visitor has it")
-    for column in ("visitor", "", "measured"):
-        table.add_column(column)
-    for row in visited() if CHROMIUM else ():
-        table.add_row(*row)
-    console.print(table)
-    if room:
+    visits = {"the room": visited, "the page of the method": read}
+    if room or method:
+        visits.pop("the page of the method" if room else "the room")
+    for name, visit_ in visits.items():
+        table = Table(title=f"{name}, as a visitor has it")
+        for column in ("visitor", "", "measured"):
+            table.add_column(column)
+        for row in visit_() if CHROMIUM else ():
+            table.add_row(*row)
+        console.print(table)
+    if room or method:
         return
     table = Table(title=f"the pages' machine, least of {repeat}")
     for column in ("", "kernel", "× a real 8/L"):

@@ -14,6 +14,7 @@ curve            any function of x
 profile          a closed profile: the radius as a function of the angle
 die              the steel die: ellipses of three sets of axes
 drill            the four-hole tape of Chapter 3
+drawn            a curve drawn by hand, in the pages
 fluidic          the fluidic element of Chapter 8
 
 What they are made of:

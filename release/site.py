@@ -41,7 +41,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     files.append(File.generated(config, "api/index.md", content=index()))
     files.append(File.generated(config, "reference.md", content=reference()))
     files.append(File.generated(config, "workbench-live.html", content=workbench.page()))
-    files.append(File.generated(config, "curve-live.html", content=curve.page()))
+    files.append(File.generated(config, "curve-live.html", content=curve.page("workbench-live.html")))
     return files
 
 

@@ -47,7 +47,8 @@ def page(output: str) -> None:
     """Write "A curve in ten minutes": a page that teaches the thesis's method with live figures.
 
     Slope, band, steps, circle, tape, translation, roundness: each figure runs the programs and machines
-    themselves. The page needs no network and nothing beside it: a browser opens it from disk.
+    themselves. The page needs no network: a browser opens it from disk. The tape of a curve that you draw
+    opens in pdp8.html beside it, the page that pdp8 workbench writes.
 
     \b
     Examples:

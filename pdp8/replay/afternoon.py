@@ -36,9 +36,8 @@ class Afternoon(Day):
         worst = self.inspection.worst
         outcome = f"worst trough to peak {inches(worst.trough_to_peak)} in, {worst.wall} wall, {worst.place}"
         if made.instrument:
-            return Judgement(
-                made.instrument, f"At Mohawk College the stylus follows the walls: {outcome}.", outcome
-            )
+            said = f"At Mohawk College, it seems, the stylus follows the walls: {outcome}."
+            return Judgement(made.instrument, said, outcome)
         said = f"The thesis measured no such part; computed: {outcome}."
         return Judgement("Inspection", said, outcome)
 

@@ -27,7 +27,8 @@ from tapes import ascii, frames, rim
 from tapes.errors import WorkError
 
 ARRANGED: Final = "The thesis gives the times; that they were one afternoon is our arrangement."
-"""To be said where an afternoon begins. The Talyrond stood at Mohawk College; the way there is left out."""
+"""To be said where an afternoon begins. The Talyrond stood, it seems, at Mohawk College, whose
+metrology facilities the thesis gives thanks for; the way there is left out."""
 
 OPENS: Final = 13 * 3600
 """The afternoon begins at one o'clock: seconds since midnight."""

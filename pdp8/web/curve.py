@@ -17,14 +17,15 @@ from pdp8 import shelf
 from pdp8.web import bundle
 
 
-def page() -> str:
-    """Return the whole page."""
-    return bundle.page("A curve in ten minutes", "curve.html", ("curve.css",), "curve", record())
+def page(workbench: str = "pdp8.html") -> str:
+    """Return the whole page; an own curve's tape opens in the page `workbench`, an address beside it."""
+    return bundle.page("A curve in ten minutes", "curve.html", ("curve.css",), "curve", record(workbench))
 
 
-def record() -> dict[str, Any]:
+def record(workbench: str) -> dict[str, Any]:
     """Return what the page has at hand, ready for JSON: eia.pal's words, its listing, a proved tape."""
     assembly = pal.assemble(shelf.read_bundled("eia.pal"))
     lines = [[line.address, line.word, line.source] for line in assembly.lines if line.word is not None]
     fewest = list(shelf.read_bundled("slope-fewest.eia"))
-    return {"words": list(assembly.words.items()), "listing": lines, "fewest": fewest}
+    words = list(assembly.words.items())
+    return {"words": words, "listing": lines, "fewest": fewest, "workbench": workbench}

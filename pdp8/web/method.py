@@ -9,7 +9,6 @@ Lengths are thousandths of an inch. A feed's error is a part of it, 0.2 for 20 %
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import pairwise
 from math import cos, radians, sin
 from typing import NamedTuple
 
@@ -18,10 +17,11 @@ from nc.path import Path, Position
 from pal.isa import jumps_to, tests_flag
 from pdp8.computer.machine import Machine
 from programs import circle as listed
+from programs import drawn as by_hand
 from programs import slope as slopes
 from programs.header import THESIS
 from programs.milling import SLOWEST, Milling
-from programs.stretches import Curve, Point, arc, graph, line, oval
+from programs.stretches import Curve, Point, arc, line, oval
 from tapes import eia
 from tapes.hydrapoint import Preparatory
 
@@ -104,11 +104,8 @@ def slope(tolerance: float, x_error: float = 0.0, y_error: float = 0.0, angle: f
 
 
 def drawn(heights: list[float], tolerance: float) -> Made:
-    """Mill a curve by steps: its heights on the table at each .04 in from X 2.000, straight between."""
-    spans = pairwise(heights)
-    every = [here + (there - here) * part / 40 for here, there in spans for part in range(40)]
-    lower, upper = [y - tolerance for y in every], [y + tolerance for y in every]
-    return _milled(graph(2000, lower, upper), SLOWEST)
+    """Mill a curve that was drawn by hand, by steps."""
+    return _milled(by_hand.drawn(heights, tolerance), SLOWEST)
 
 
 def quarter(tolerance: float, feed: int) -> Made:

@@ -17,11 +17,14 @@ from programs.parts import PARTS, Part
 _OURS = "arithmetic"
 """The arithmetic of 1971's machines stays with the command: a page computes exactly."""
 
+DRAWN = Part("drawn", "A curve drawn by hand.", ())
+"""Of the pages alone: the command has nothing to draw with."""
+
 
 def declared() -> list[dict[str, Any]]:
     """Return the parts that a page runs: those whose program is translated."""
     translated = MODULES["programs"].split()
-    return [_declared(part) for part in PARTS.values() if part.name in translated]
+    return [_declared(part) for part in (*PARTS.values(), DRAWN) if part.name in translated]
 
 
 def _declared(part: Part) -> dict[str, Any]:

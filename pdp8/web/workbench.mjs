@@ -247,7 +247,7 @@ class Bench {
   /** Take what a file in JSON is. */
   #written(name, what, text) {
     if (what.task) this.exercises.take(name, what);
-    else if (what.program || what.machine) this.#open(what);
+    else if (what.program || what.machine || what.tape) this.#open(what);
     else this.#restore(text);
   }
 
@@ -318,12 +318,17 @@ class Bench {
   }
 
   /** Open what a link or a file of a session holds. */
-  #open({ program, machine, exercise, until }) {
+  #open({ program, machine, exercise, until, tape, part }) {
     if (typeof exercise === "string") this.exercises.open(exercise);
     else if (exercise) this.exercises.take(exercise.name, exercise.tables);
     if (exercise) this.tabs.open("exercises");
     else if (program) this.tabs.open("program");
     if (program) this.editor.put(String(program.name), String(program.text));
+    if (part) {
+      this.tabs.open("parts");
+      this.parts.choose(String(part.name), part.typed);
+    }
+    if (tape) this.#tape(this.shelf.put(String(tape.name), bytes(tape.frames)));
     if (!machine) return;
     const state = JSON.stringify(this.whole(machine));
     if (until === undefined) this.#restore(state);

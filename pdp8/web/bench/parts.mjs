@@ -7,6 +7,7 @@
 import * as circle from "../../../programs/circle.mjs";
 import * as curve from "../../../programs/curve.mjs";
 import * as die from "../../../programs/die.mjs";
+import * as drawn from "../../../programs/drawn.mjs";
 import * as drill from "../../../programs/drill.mjs";
 import * as ellipse from "../../../programs/ellipse.mjs";
 import * as fluidic from "../../../programs/fluidic.mjs";
@@ -18,9 +19,11 @@ import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
 import { ours, put } from "../html.mjs";
+import { Pad } from "../pad.mjs";
+import { clipped, rect } from "../svg.mjs";
 import { find, grouped } from "../written.mjs";
 
-const PROGRAMS = { circle, curve, die, drill, ellipse, fluidic, polynomial, profile, slope };
+const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
 const SECONDS = 10; // that a printout may take
 const FRAMES_A_MINUTE = 600; // of the ASR-33
@@ -50,6 +53,7 @@ export class Parts {
     this.bench = bench;
     this.translating = false;
     find("part-name").replaceChildren(...bench.record.parts.map(({ name }) => new Option(name)));
+    this.pad = new Pad(find("part-pad"), () => this.#drawn());
     this.ask();
   }
 
@@ -61,6 +65,30 @@ export class Parts {
   ask() {
     find("part-is").textContent = this.part.summary;
     put(find("part-options"), ours(this.part.form));
+    find("part-pad").parentElement.hidden = this.part.name !== "drawn";
+    if (this.part.name === "drawn") this.#drawn();
+  }
+
+  /** Choose a part, with options as they were typed. Throws for one that there is not. */
+  choose(name, typed) {
+    const at = this.bench.record.parts.findIndex((part) => part.name === name);
+    if (at < 0) throw new Error(`no part program ${name}`);
+    find("part-name").selectedIndex = at;
+    if (name === "drawn" && typed.heights) this.pad.text = typed.heights;
+    this.ask();
+    for (const [option, value] of Object.entries(typed)) {
+      const input = find("part-options").querySelector(`[name="${CSS.escape(option)}"]`);
+      if (input) input.value = String(value);
+    }
+  }
+
+  /** Show the curve that is drawn, and its heights as an option. */
+  #drawn() {
+    const { pad } = this;
+    const box = { x: 0, y: 0, width: 420, height: 277 };
+    const view = pad.fit(box);
+    put(find("part-pad"), ours(clipped(box, view.line(pad.places, 'class="path"')) + rect(box, 'class="frame"')));
+    find("part-options").querySelector("[name=heights]").value = pad.text;
   }
 
   async punch() {

@@ -1,4 +1,4 @@
-// Links: #s= holds a program, the machine, an exercise; #exercise= the name of a bundled one. A bundled tape goes by its
+// Links: #s= holds a program, the machine, an exercise, a tape, a part; #exercise= the name of a bundled one. A bundled tape goes by its
 // name, and of the machine only what is not as at power-up.
 
 import { packed, unpacked } from "../packed.mjs";
@@ -18,10 +18,10 @@ export async function opened() {
   }
 }
 
-/** The address of this page with `shared` in it. */
-export async function linked(shared) {
+/** The address of this page, or of another, with `shared` in it. */
+export async function linked(shared, page = location.href.replace(/#.*/, "")) {
   const text = await packed(shared);
-  return `${location.href.replace(/#.*/, "")}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+  return `${page}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 
 const plain = (value) => value?.constructor === Object;

@@ -3,9 +3,9 @@
 import * as ascii from "../../../tapes/ascii.mjs";
 import * as eia from "../../../tapes/eia.mjs";
 import { block as blockOf, FIELDS } from "../../../tapes/hydrapoint.mjs";
-import { Figure, remembered } from "./drawing.mjs";
+import { Figure } from "./drawing.mjs";
+import { answered, made } from "./made.mjs";
 import { rect, text } from "../svg.mjs";
-import { characters, translated } from "../method.mjs";
 import { html } from "../html.mjs";
 import { inches, octal } from "../written.mjs";
 
@@ -28,8 +28,9 @@ function tape(frames, box, pitch, now = -1) {
   return [paper + marked + holes.join(""), height];
 }
 
-export function holes(listed) {
-  const lines = remembered(() => listed().text.trimEnd().split("\n"));
+const lines = () => made("circle", 5, false).text.trimEnd().split("\n");
+
+export function holes() {
   return new Figure("holes", ({ block }, width) => {
     const line = lines()[block - 1];
     const [first, second] = [ascii.encode(`${line}\n`), eia.encode(`${line.replaceAll(" ", "0")}\n`)];
@@ -64,14 +65,9 @@ function meaning(digits) {
   return html`Block ${number}: <b>position</b>, one of the six that open the tape: park, tool, coolant, spindle, start of the contour, depth.`;
 }
 
-export function computer(listed, record) {
-  const lines = remembered(() => listed().text.trimEnd().split("\n"));
+export function computer(record) {
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
-  let last = { block: 0, done: [] };
-  const run = (block) => {
-    if (block !== last.block) last = { block, done: characters(record.words, ascii.encode(`${lines()[block - 1]}\n`)) };
-    return last.done;
-  };
+  const run = (block) => made("characters", record.words, `${lines()[block - 1]}\n`);
   const words = { block: (number) => `${number} of ${lines().length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
   const figure = new Figure("translating", ({ block, character: at }, width) => {
     const done = run(block);
@@ -84,11 +80,11 @@ export function computer(listed, record) {
     return [content, 2 * tall + 58, told(done[at], listing), { character: held }];
   }, words);
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
-  button.addEventListener("click", () => {
-    const began = performance.now();
-    const { elapsed, teletype: { punch: { tape: frames } } } = translated(record.words, ascii.encode(listed().text));
-    const here = (performance.now() - began) / 1000;
-    said.textContent = `${lines().length} blocks: ${(elapsed / 60).toFixed(1)} minutes at the computer, ${here.toFixed(1)} s in this page; ${frames.length - 1} frames and a blank one came out.`;
+  button.addEventListener("click", async () => {
+    button.disabled = true;
+    const { frames, minutes } = await answered("translated", record.words, `${lines().join("\n")}\n`);
+    said.textContent = `${lines().length} blocks: ${minutes.toFixed(1)} minutes at the computer; ${frames.length - 1} frames and a blank one came out.`;
+    button.disabled = false;
   });
   return figure;
 }

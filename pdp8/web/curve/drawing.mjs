@@ -4,6 +4,7 @@ import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
 import { ours, put } from "../html.mjs";
 import { CENTRE, RADIUS } from "../method.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
+import { Wanted, withoutWaiting } from "./made.mjs";
 import { inches } from "../written.mjs";
 
 /** How the value of an input is written: data-unit names it. */
@@ -18,14 +19,11 @@ const UNITS = {
   times: (many) => `${many.toFixed(many < 10 ? 1 : 0)} ×`,
 };
 
-const SLICE = 20; // milliseconds that a drawing may take before the page has its turn
-
 /** A figure of the page: draws itself when it comes near, and again when one of its inputs changes, or its width. */
 export class Figure {
-  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it, its holds]; or it is a generator that
-   *  yields where it may be interrupted, and returns that. A hold is what of the drawing can be dragged, by the name of its
-   *  input: {x, y} or {box}, and `to`, which makes the input's value of a drag {x, y, dx, dy, start}. `words` writes values
-   *  that have no unit.
+  /** `draw(values, width)` returns [the SVG's content, its height, what is said of it, its holds], or throws Wanted for what it
+   *  has to wait for. A hold is what of the drawing can be dragged, by the name of its input: {x, y} or {box}, and `to`, which
+   *  makes the input's value of a drag {x, y, dx, dy, start}. `words` writes values that have no unit.
    */
   constructor(id, draw, words = {}) {
     this.element = document.getElementById(id);
@@ -44,7 +42,7 @@ export class Figure {
       this.later();
     }, { rootMargin: "500px" }).observe(this.element);
     new ResizeObserver(() => this.later()).observe(this.element);
-    addEventListener("beforeprint", () => this.show(Infinity));
+    addEventListener("beforeprint", () => this.now());
   }
 
   /** The inputs' values by their names. */
@@ -92,29 +90,37 @@ export class Figure {
     });
   }
 
-  show(slice = SLICE) {
-    clearTimeout(this.goes);
-    const width = Math.max(280, Math.round(this.svg.parentElement.clientWidth));
-    const { values } = this;
-    for (const input of this.inputs) {
-      const output = input.parentElement.querySelector("output");
-      if (!output) continue;
-      output.textContent = (this.words[input.name] ?? UNITS[input.dataset.unit])(values[input.name], values);
-      input.setAttribute("aria-valuetext", output.textContent);
-    }
-    const drawing = this.draw(values, width);
-    if (Array.isArray(drawing)) this.#put(width, .../** @type {[string, number, any, any?]} */ (drawing));
-    else this.#goOn(width, drawing, slice);
+  /** Draw here and now, whatever has to be made for it. */
+  now() {
+    withoutWaiting(() => this.#made(this.values));
   }
 
-  #goOn(width, drawing, slice) {
-    const until = performance.now() + slice;
-    for (;;) {
-      const { done, value } = drawing.next();
-      if (done) return this.#put(width, ...value);
-      if (performance.now() > until) break;
+  /** Draw as soon as all is made for it; the inputs may have moved on by then, and are followed when it is drawn. */
+  show() {
+    this.behind = this.waiting;
+    if (!this.waiting) this.#made(this.values);
+  }
+
+  #made(values) {
+    const width = Math.max(280, Math.round(this.svg.parentElement.clientWidth));
+    try {
+      const texts = this.inputs.map(({ dataset, name }) => (this.words[name] ?? UNITS[dataset.unit])?.(values[name], values) ?? "");
+      this.#put(width, .../** @type {[string, number, any, any?]} */ (this.draw(values, width)));
+      this.inputs.forEach((input, at) => {
+        const output = input.parentElement.querySelector("output");
+        if (!output) return;
+        output.textContent = texts[at];
+        input.setAttribute("aria-valuetext", texts[at]);
+      });
+    } catch (wanted) {
+      if (!(wanted instanceof Wanted)) throw wanted;
+      this.waiting = true;
+      wanted.answer.then(() => {
+        this.waiting = false;
+        this.#made(values);
+        if (this.behind) this.later();
+      });
     }
-    this.goes = setTimeout(() => this.#goOn(width, drawing, slice));
   }
 
   #put(width, content, height, said, holds = {}) {
@@ -154,22 +160,10 @@ export function straightened(box, length, tolerance, reach, traces) {
   return clipped(box, band + limit(tolerance) + limit(-tolerance) + centre + drawn) + labels + rect(box, 'class="frame"');
 }
 
-export const CIRCLE = { x: CENTRE, y: CENTRE, radius: RADIUS };
-
 /** The place on the circle at so many degrees, from 3 o'clock against the clock's hands. */
 export function onCircle(degrees) {
   const angle = (degrees * Math.PI) / 180;
   return { x: CENTRE + RADIUS * Math.cos(angle), y: CENTRE + RADIUS * Math.sin(angle) };
-}
-
-/** `make`, but nothing is made twice. */
-export function remembered(make) {
-  const made = new Map();
-  return (...given) => {
-    const key = String(given);
-    if (!made.has(key)) made.set(key, make(...given));
-    return made.get(key);
-  };
 }
 
 /** A length in inches, as an engineer of 1971 writes it: .0106 */

@@ -1,14 +1,14 @@
 // The circle, looked at from nearer and nearer: round from afar, a staircase at last.
 
-import { CENTRE, circle, RADIUS } from "../method.mjs";
-import { CIRCLE, Figure, mils, onCircle, remembered } from "./drawing.mjs";
+import { CENTRE, RADIUS } from "../method.mjs";
+import { Figure, mils, onCircle } from "./drawing.mjs";
+import { CIRCLE, made } from "./made.mjs";
 import { clipped, text, View } from "../svg.mjs";
 
 const PLACE = onCircle(146);
 
 export function near() {
-  const made = remembered(() => circle(5, true));
-  return new Figure("near", ({ near: times }, width) => picture(made().way, times, width));
+  return new Figure("near", ({ near: times }, width) => picture(made("circle", 5, true).way, times, width));
 }
 
 function picture(way, times, width) {

@@ -1,20 +1,21 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
-import { CENTRE, quarter as cut, RADIUS } from "../method.mjs";
-import { CIRCLE, Figure, mils, minutes, onCircle, remembered, straightened } from "./drawing.mjs";
+import { CENTRE, RADIUS } from "../method.mjs";
+import { Figure, mils, minutes, onCircle, straightened } from "./drawing.mjs";
+import { CIRCLE, made as madeOf } from "./made.mjs";
 import { html } from "../html.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
-import { troughToPeak, walls } from "./walls.mjs";
+import { troughToPeak } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
 const STATIONS = 1800;
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
-const quarter = remembered(cut);
+const quarter = (tolerance, feed) => madeOf("quarter", tolerance, feed);
 
 export function curved() {
   return new Figure("curved", ({ tolerance, cutter, place }, width) => {
     const made = quarter(tolerance, 1);
-    const wall = walls(made.way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, STATIONS);
+    const wall = madeOf("quarterWalls", tolerance, cutter, STATIONS);
     const wide = width >= 560;
     const side = wide ? (width - 16) / 2 : width;
     const tall = Math.min(side, 300);
@@ -28,13 +29,9 @@ export function curved() {
 
 /** What a tolerance costs: a bar for each, to be taken by its top. */
 export function costs() {
-  return new Figure("costs", function* ({ tolerance, feed: code }, width) {
+  return new Figure("costs", ({ tolerance, feed: code }, width) => {
     const chart = { x: 40, y: 40, width: width - 60, height: 170 };
     const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
-    for (const each of all) {
-      quarter(each, code);
-      yield;
-    }
     const { blocks, reading, milling, minutes: took } = quarter(tolerance, code);
     const wide = chart.width / all.length;
     const to = ({ x }) => 100 * (Math.log(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))]) / Math.log(50));

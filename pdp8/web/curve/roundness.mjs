@@ -1,28 +1,18 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
-import { circle } from "../method.mjs";
-import { CIRCLE, Figure, mils, remembered } from "./drawing.mjs";
+import { Figure, mils } from "./drawing.mjs";
+import { made } from "./made.mjs";
 import { html } from "../html.mjs";
 import { clipped, text } from "../svg.mjs";
-import { measuring, troughToPeak } from "./walls.mjs";
+import { troughToPeak } from "./walls.mjs";
 
-const STATIONS = 36000; // as many as nc/inspection.py has
 const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
 /** @type {[string, number, number][]} */
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
 
 export function roundness() {
-  const measured = new Map();
-  const closedWay = remembered((closed) => circle(5, closed).way);
-  return new Figure("roundness", function* ({ times, closed, cutter }, width) {
-    const key = `${closed} ${cutter}`;
-    if (!measured.has(key)) {
-      yield;
-      const way = closedWay(closed);
-      yield;
-      measured.set(key, yield* measuring(way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, STATIONS));
-    }
-    const wall = measured.get(key);
+  return new Figure("roundness", ({ times, closed, cutter }, width) => {
+    const wall = made("circleWalls", closed, cutter);
     const height = Math.min(width, 560);
     const mean = height * 0.29;
     const scale = (times * height) / PAPER;
@@ -44,11 +34,11 @@ function rings(x, y, mean, scale, height) {
 function trace(errors, width, height, mean, scale, name) {
   let d = "";
   let down = false;
-  for (let station = 0; station <= STATIONS; station += 12) {
+  for (let station = 0; station <= errors.length; station += 12) {
     const some = errors.subarray(station, station + 12);
     const error = extreme(some.length ? some : errors.subarray(0, 12));
     if (Number.isNaN(error)) { down = false; continue; }
-    const angle = (2 * Math.PI * station) / STATIONS;
+    const angle = (2 * Math.PI * station) / errors.length;
     const radius = Math.max(0, mean + error * scale);
     d += `${down ? "L" : "M"}${(width / 2 + radius * Math.cos(angle)).toFixed(1)} ${(height / 2 - radius * Math.sin(angle)).toFixed(1)}`;
     down = true;
@@ -62,9 +52,9 @@ function extreme(errors) {
 }
 
 function readingAt(errors, degrees, reach) {
-  const [from, to] = [degrees - reach, degrees + reach].map((angle) => Math.round((angle * STATIONS) / 360));
+  const [from, to] = [degrees - reach, degrees + reach].map((angle) => Math.round((angle * errors.length) / 360));
   const seen = [];
-  for (let station = from; station <= to; station++) seen.push(errors[(station + STATIONS) % STATIONS]);
+  for (let station = from; station <= to; station++) seen.push(errors[(station + errors.length) % errors.length]);
   return troughToPeak(seen);
 }
 

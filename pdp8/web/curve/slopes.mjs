@@ -1,7 +1,8 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
-import { fewest, pieces, SLOPE, slope } from "../method.mjs";
+import { SLOPE } from "../method.mjs";
 import { Figure, inch, minutes, straightened } from "./drawing.mjs";
+import { made } from "./made.mjs";
 import { html } from "../html.mjs";
 import { text, View } from "../svg.mjs";
 
@@ -49,8 +50,8 @@ function named(view, place, name, dx, dy) {
 export function one() {
   return new Figure("one", ({ x, y, dx, dy }, width) => {
     const [view, height] = plan(width);
-    const { way } = pieces(1, x, y, dx / 100, dy / 100);
-    const extreme = [[0.2, -0.2], [-0.2, 0.2]].map(([a, b]) => furthest(pieces(1, x, y, a, b).way).where);
+    const { way } = made("pieces", 1, x, y, dx / 100, dy / 100);
+    const extreme = [[0.2, -0.2], [-0.2, 0.2]].map(([a, b]) => furthest(made("pieces", 1, x, y, a, b).way).where);
     const cone = view.line([FROM, extreme[0], TO, extreme[1]], 'class="cone"', true);
     const { worst, where } = furthest(way);
     const angle = (Math.atan2(where.y - FROM.y, where.x - FROM.x) * 180) / Math.PI;
@@ -63,7 +64,7 @@ export function one() {
 export function piecewise({ fewest: frames }) {
   return new Figure("piecewise", ({ pieces: asked, error, fewest: proved }, width) => {
     const [view, height] = plan(width);
-    const { way, stops, minutes: took } = proved ? fewest(frames, error / 100, -error / 100) : pieces(asked, 2, 1, error / 100, -error / 100);
+    const { way, stops, minutes: took } = proved ? made("fewest", frames, error / 100, -error / 100) : made("pieces", asked, 2, 1, error / 100, -error / 100);
     const count = proved ? stops.length : asked;
     const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
     const { worst } = furthest(way);
@@ -84,7 +85,7 @@ function title(box, reach, length = LENGTH) {
 export function stepwise() {
   return new Figure("stepwise", ({ tolerance, dx, angle }, width) => {
     const [view, height] = plan(width, FROM.x + 4830, FROM.y + 3536);
-    const { way, stops, blocks, reading, milling, minutes: took } = slope(tolerance, dx / 100, -dx / 100, angle);
+    const { way, stops, blocks, reading, milling, minutes: took } = made("slope", tolerance, dx / 100, -dx / 100, angle);
     const line = sloping(way.at(-1));
     const { to, length } = line;
     const [left, right] = [tolerance, -tolerance].map((off) => [line.at(0, off), line.at(length, off)]);

@@ -9,16 +9,7 @@ const GROUP = 64; // rays that look at the same parts
 /** The errors { outer, inner } of both walls at `count` stations from angle `from` over `sweep`, radians; outward is +;
  *  NaN where nothing was cut.
  */
-export function walls(...given) {
-  const measuring_ = measuring(...given);
-  for (;;) {
-    const { done, value } = measuring_.next();
-    if (done) return value;
-  }
-}
-
-/** The same, some stations at a time. */
-export function* measuring(way, { x, y, radius }, cutter, from, sweep, count) {
+export function walls(way, { x, y, radius }, cutter, from, sweep, count) {
   const half = cutter / 2;
   const sides = way.slice(1).map((end, index) => side(way[index], end, half)).filter(({ reach }) => reach > half);
   const parts = [...way.map((place) => disc(place, half)), ...sides];
@@ -39,7 +30,6 @@ export function* measuring(way, { x, y, radius }, cutter, from, sweep, count) {
       outer[first + at] = high - half;
       inner[first + at] = low + half;
     });
-    yield;
   }
   return { outer, inner };
 }

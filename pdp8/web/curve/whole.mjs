@@ -1,42 +1,29 @@
 // The circle whole, minute by minute: what is cut, and where the time goes.
 
-import { MoveKind } from "../../../nc/path.mjs";
 import { CENTRE, RADIUS } from "../method.mjs";
 import { Pictures } from "../pictures.mjs";
-import { CIRCLE, Figure, minutes } from "./drawing.mjs";
+import { Figure, minutes } from "./drawing.mjs";
+import { CIRCLE, made } from "./made.mjs";
 import { html } from "../html.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
 
 const CUTTER = 250; // its radius
 const TAKES = 20; // seconds in which the whole is played
 
-export function whole(listed, button) {
-  let kept = null;
-  const timed = () => {
-    if (kept) return kept;
-    const { path } = listed();
-    const first = path.steps.findIndex(({ block }) => block.preparatory === 6);
-    return (kept = { first, before: clocked(path, first) });
-  };
-  const clock = (part) => `${((timed().before.at(-1) * part) / 1000 / 60).toFixed(1)} min`;
-  const figure = new Figure("whole", ({ time }, width) => {
-    const { first, before } = timed();
-    return picture(listed(), before, first, (before.at(-1) * time) / 1000, width);
-  }, { time: clock });
+export function whole(button) {
+  const clock = (part) => `${((clocked().before.at(-1) * part) / 1000 / 60).toFixed(1)} min`;
+  const figure = new Figure("whole", ({ time }, width) => picture(clocked(), time / 1000, width), { time: clock });
   playing(figure, button);
   return figure;
 }
 
-/** The second at which each block begins, and the last ends: the contour's alone, without the quill, as in Chapter 7. */
-function clocked({ steps, read_seconds }, first) {
+/** The circle with the second at which each block begins, and the last ends: the contour's alone, as in Chapter 7. */
+function clocked() {
+  const circle = made("circle", 5, false);
   let now = 0;
-  const clock = [0];
-  steps.forEach((step, at) => clock.push((now += at < first ? 0 : read_seconds + milling(step))));
-  return clock;
-}
-
-function milling({ moves }) {
-  return moves.filter(({ kind }) => kind === MoveKind.MILL).reduce((sum, { seconds }) => sum + seconds, 0);
+  circle.first = circle.steps.findIndex(({ mills }) => mills);
+  circle.before = [0, ...circle.steps.map(({ seconds }, at) => (now += at < circle.first ? 0 : circle.read + seconds))];
+  return circle;
 }
 
 /** Let a button move the slider; where motion is not wanted, a minute a press. */
@@ -62,32 +49,33 @@ function playing(figure, button) {
   figure.inputs[0].addEventListener("pointerdown", stop);
 }
 
-function picture({ path, way }, before, first, now, width) {
+function picture({ steps, read: reads, way, before, first }, part, width) {
+  const now = before.at(-1) * part;
   const height = Math.min(460, Math.round(width * 0.8) + 64);
   const box = { x: 0, y: 0, width, height: height - 64 };
   const reach = RADIUS + CUTTER + 120;
   const view = new View({ left: CENTRE - reach, right: CENTRE + reach, bottom: CENTRE - reach, top: CENTRE + reach }, box);
-  const last = before.findLastIndex((starts) => starts <= now); // path.length: all is cut
-  const done = path.steps.slice(first, last).map(({ at }) => at);
-  const step = path.steps[Math.min(last, path.length - 1)];
-  const into = last < path.length ? now - before[last] : 0;
-  const reading = last < path.length && into < path.read_seconds;
+  const last = before.findLastIndex((starts) => starts <= now); // steps.length: all is cut
+  const done = steps.slice(first, last);
+  const step = steps[Math.min(last, steps.length - 1)];
+  const into = last < steps.length ? now - before[last] : 0;
+  const reading = last < steps.length && into < reads;
   const milled = [way[0], ...done];
-  const tip = last < path.length && !reading ? between(milled.at(-1), step.at, (into - path.read_seconds) / (before[last + 1] - before[last] - path.read_seconds)) : milled.at(-1);
+  const tip = last < steps.length && !reading ? between(milled.at(-1), step, (into - reads) / (before[last + 1] - before[last] - reads)) : milled.at(-1);
   const cut = [...milled, tip];
   const groove = view.line(cut, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`);
   const intended = view.circle(CIRCLE, 'class="intended"');
   const content = intended + groove + view.line(cut, 'class="way"') + view.circle({ ...tip, radius: CUTTER }, `class="tool${reading ? " waits" : ""}"`);
-  const [read, cutting] = spent(path, before, first, last, into);
-  const what = last >= path.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.block.miscellaneous === 84 ? "X" : "Y"}`;
-  const digits = text(width / 2, box.height / 2 - 4, String(step.block.digits), 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
+  const [read, cutting] = spent(reads, before, first, last, into);
+  const what = last >= steps.length ? "done" : reading ? "stands still: the reader reads a block" : `cuts along ${step.axis}`;
+  const digits = text(width / 2, box.height / 2 - 4, step.digits, 'class="digits" text-anchor="middle"') + text(width / 2, box.height / 2 + 16, what, 'class="small" text-anchor="middle"');
   const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", cutting);
   const blocks = last - first;
-  const said = html`Block <b>${Math.min(last + 1, path.length)}</b> of ${path.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
+  const said = html`Block <b>${Math.min(last + 1, steps.length)}</b> of ${steps.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
   const dragged = ({ x, y }) => {
     const turned = (Math.atan2(view.y(CENTRE) - y, view.x(CENTRE) - x) + 2 * Math.PI) % (2 * Math.PI);
-    const reached = path.steps.findIndex(({ at: stop }, n) => n >= first && (Math.atan2(stop.y - CENTRE, CENTRE - stop.x) + 2 * Math.PI) % (2 * Math.PI) >= turned);
-    return (1000 * before[reached < 0 ? path.steps.length : reached]) / before.at(-1);
+    const reached = steps.findIndex((stop, n) => n >= first && (Math.atan2(stop.y - CENTRE, CENTRE - stop.x) + 2 * Math.PI) % (2 * Math.PI) >= turned);
+    return (1000 * before[reached < 0 ? steps.length : reached]) / before.at(-1);
   };
   return [clipped(box, content) + digits + bars, height, said, { time: { x: view.x(tip.x), y: view.y(tip.y), to: dragged } }];
 }
@@ -97,8 +85,8 @@ function between(from, to, part) {
 }
 
 /** Seconds of reading and of milling so far. */
-function spent({ read_seconds }, before, first, last, into) {
-  const read = (last - first) * read_seconds + Math.min(into, read_seconds);
+function spent(reads, before, first, last, into) {
+  const read = (last - first) * reads + Math.min(into, reads);
   return [read, before[last] + into - read];
 }
 

@@ -2,6 +2,9 @@
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
@@ -12,7 +15,8 @@ from nc.inspection import inspect
 from nc.path import Position
 from pdp8 import shelf
 from pdp8.thesis import chain
-from pdp8.web import curve, method
+from pdp8.web import curve, method, workbench
+from programs import drawn
 from tapes import ascii, eia
 from tests.pdp8.web.browsing import AXE, Browser, Locator, Page, click, needs_axe, serious, until, visit
 from tests.pdp8.web.node import in_node, needs_node, plain
@@ -117,6 +121,10 @@ def test_the_ellipse_s_times_are_as_told() -> None:
     assert round(100 * times.efficiency) == 11
 
 
+_TYPED = """["heights", "tolerance"].map((name) =>
+  document.querySelector(`#part-options [name=${name}]`).value)"""
+
+
 def _off(place: Position) -> float:
     return (place.y - 4000) * 4330 - (place.x - 4000) * 2500
 
@@ -138,7 +146,7 @@ def test_a_figure_is_computed_when_it_comes_near(page: Page) -> None:
     assert drawn[-1] == ""  # nobody has been there
     page.locator("#own").scroll_into_view_if_needed()
     until(page, f"{said}.at(-1)")
-    page.evaluate("Object.values(curve.figures).forEach((figure) => figure.show(Infinity))")
+    page.evaluate("Object.values(curve.figures).forEach((figure) => figure.now())")
     assert all(page.evaluate(said))
 
 
@@ -181,7 +189,10 @@ def test_what_has_a_ring_is_dragged_in_the_drawing(
 
 
 def test_an_own_curve_goes_through_the_whole_chain(page: Page) -> None:
-    """A stroke across the frame: a part program, eia.pal, the Hydra-Point; its tape is the one to save."""
+    """A stroke across the frame: a part program, eia.pal, the Hydra-Point; the workbench opens its tape.
+
+    There it is milled, and the curve is a part program: it punches the same tape.
+    """
     own = page.locator("#own")
     own.scroll_into_view_if_needed()
     box = own.locator("svg").bounding_box()
@@ -199,6 +210,49 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page) -> None:
     blocks = int(re.findall(r"^(\d+) blocks", said)[0])
     assert f"{20 * blocks + 1} frames" in said
     assert "goes the same way by it" in said
+    (Path(urlsplit(page.url).path).parent / "pdp8.html").write_text(workbench.page(), encoding="utf-8")
+    with page.context.expect_page() as opened:
+        page.locator("#open").click()
+    bench = opened.value
+    until(bench, "!!window.workbench?.mill.steps.length")
+    assert bench.evaluate("workbench.mill.steps.length") == blocks
+    tape = bytes(bench.evaluate("[...workbench.shelf.get('mine.eia').frames]"))
+    heights, tolerance = bench.evaluate(_TYPED)
+    punched = drawn.part(heights, tolerance=float(tolerance))
+    assert eia.encode(punched.replace(" ", "0")) == tape.strip(b"\0")
+    bench.close()
+
+
+def test_a_curve_too_steep_is_refused_and_its_shape_stays(page: Page) -> None:
+    own = page.locator("#own")
+    own.scroll_into_view_if_needed()
+    own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    box = own.locator("svg").bounding_box()
+    assert box
+    middle = box["x"] + box["width"] / 2
+    for x, y in ((box["x"] + 20, 20), (box["x"] + box["width"] - 20, 200)):
+        page.mouse.move(x, box["y"] + y)
+        page.mouse.down()
+        page.mouse.move(middle, box["y"] + y, steps=4)
+        page.mouse.up()
+    own.locator("[name=tolerance]").fill("31")
+    until(page, "document.querySelector('#own .said').textContent.startsWith('It cannot be cut')")
+    assert own.locator(".intended").count() == 1
+    assert own.locator(".groove").count() == 0
+    assert page.locator("#open").get_attribute("href") is None
+    own.locator("[name=tolerance]").fill("70")
+    own.locator(".groove").wait_for()
+
+
+def test_a_curve_drawn_by_hand_stays_in_its_band() -> None:
+    """Each stop, and each middle of a cut, is off by no more than the band and a thousandth."""
+    heights = [5.0, 5.04, 5.065, 5.03, 5.03, 4.99]  # no steeper than 1
+    text = drawn.part(" ".join(map(str, heights)), tolerance=0.006)
+    cuts = [(int(line[4:9]), int(line[9:14])) for line in text.splitlines() if line[3] == "6"]
+    assert len(cuts) > 15
+    middles = [((a + c) / 2, (b + d) / 2) for (a, b), (c, d) in pairwise(cuts)]
+    for x, y in cuts + middles:
+        assert abs(y - 1000 * np.interp(x, range(2000, 2201, 40), heights)) <= 7
 
 
 def test_each_control_changes_its_figure(page: Page) -> None:
@@ -219,6 +273,7 @@ def test_each_control_changes_its_figure(page: Page) -> None:
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert not any("<" in each.inner_text() for each in page.locator(".said").all())
     click(page, "#translate")
+    until(page, "document.getElementById('translated').textContent")
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", page.locator("#translated").inner_text())
 
 

@@ -1,0 +1,90 @@
+// A frame to draw a curve in: one height above every .04 inch of X, as programs/drawn.py takes them.
+
+import { View } from "./svg.mjs";
+
+const [FROM, STEP, COUNT, LOW, HIGH, EDGE] = [2000, 40, 101, 3600, 6400, 200]; // X and Y of the table, thousandths
+
+export class Pad {
+  /** `changed()` is called with each move of the finger, and when it is lifted; fit() comes before the first. */
+  constructor(svg, changed) {
+    this.svg = svg;
+    this.heights = Array.from({ length: COUNT }, (_, n) => Math.round(5000 + 800 * Math.sin(n / 13) * Math.exp(-n / 90)));
+    this.finger = null;
+    svg.addEventListener("pointerdown", (event) => {
+      if (event.target.closest("[data-hold]") || !this.#inside(event)) return;
+      event.preventDefault();
+      svg.setPointerCapture(event.pointerId);
+      this.finger = this.#at(event);
+    });
+    svg.addEventListener("pointermove", (event) => {
+      if (!this.finger) return;
+      this.#draw(this.finger, this.finger = this.#at(event));
+      changed();
+    });
+    for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, () => {
+      if (!this.finger) return;
+      this.finger = null;
+      this.#smooth();
+      changed();
+    });
+  }
+
+  /** Let the frame fill a box of the drawing; return where places stand in it. */
+  fit(box) {
+    return (this.view = new View({ left: FROM - 100, right: FROM + STEP * (COUNT - 1) + 100, bottom: LOW, top: HIGH }, box));
+  }
+
+  get places() {
+    return this.heights.map((y, n) => ({ x: FROM + STEP * n, y }));
+  }
+
+  /** The heights in inches, as they are typed. */
+  get text() {
+    return this.heights.map((y) => (y / 1000).toFixed(3)).join(" ");
+  }
+
+  set text(words) {
+    const heights = words.trim().split(/\s+/).map((word) => Math.round(1000 * Number(word)));
+    if (heights.length === COUNT && heights.every(Number.isFinite)) this.heights = heights;
+  }
+
+  /** How far along the curve a place is, and how far off it, square to it. */
+  beside({ x, y }) {
+    const n = Math.min(COUNT - 2, Math.max(0, Math.floor((x - FROM) / STEP)));
+    const rise = (this.heights[n + 1] - this.heights[n]) / STEP;
+    return { x: x - FROM, y: (y - this.heights[n] - rise * (x - FROM - STEP * n)) / Math.hypot(1, rise) };
+  }
+
+  /** How long it is in X. */
+  get length() {
+    return STEP * (COUNT - 1);
+  }
+
+  #inside(event) {
+    const { y, height } = this.view.box;
+    const { top, width } = this.svg.getBoundingClientRect();
+    const down = ((event.clientY - top) * this.svg.viewBox.baseVal.width) / width;
+    return down >= y && down <= y + height;
+  }
+
+  #at({ clientX, clientY }) {
+    const { left, top, width } = this.svg.getBoundingClientRect();
+    const scale = this.svg.viewBox.baseVal.width / width;
+    const { ox, oy, sx, sy } = this.view;
+    const y = (oy - (clientY - top) * scale) / sy;
+    return { n: (((clientX - left) * scale - ox) / sx - FROM) / STEP, y: Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y)) };
+  }
+
+  #draw(before, now) {
+    const [one, other] = before.n < now.n ? [before, now] : [now, before];
+    for (let n = Math.max(0, Math.ceil(one.n)); n <= Math.min(COUNT - 1, other.n); n++) {
+      this.heights[n] = Math.round(one.y + ((other.y - one.y) * (n - one.n)) / (other.n - one.n || 1));
+    }
+  }
+
+  /** Let the finger's shake go. */
+  #smooth() {
+    const was = this.heights.slice();
+    for (let n = 1; n < COUNT - 1; n++) this.heights[n] = Math.round((was[n - 1] + 2 * was[n] + was[n + 1]) / 4);
+  }
+}
