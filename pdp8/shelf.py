@@ -227,7 +227,7 @@ def check_kind(name: str, kind: str) -> None:
         raise ShelfError(f"{name}: a picture is written as SVG alone; name it .svg")
     if not os.path.isfile(name) or not os.path.getsize(name):
         return
-    kept = name.lower().endswith(_KEEPS.get(kind, ()))
+    kept = any(each.lower().endswith(_KEEPS.get(kind, ())) for each in (name, os.path.realpath(name)))
     if kind in _BEGINS:
         with open(name, "rb") as file:
             kept = not without_mark(file.read(64)).lstrip().startswith(_BEGINS[kind])

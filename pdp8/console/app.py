@@ -8,6 +8,9 @@
 The keys of the keyboard are the operator's hands at the panel, or, after TAB, fingers at the Teletype.
 """
 
+import asyncio
+import os
+import signal
 from time import perf_counter
 from typing import Any, ClassVar
 
@@ -118,8 +121,25 @@ class Room(App[None]):
         self.query_one("#panel").focus()
         self._turn_pages()
         if self.ticking:
+            self._take_signals()
             self._before = perf_counter()
             self.set_interval(TURN, self._tick)
+
+    def _take_signals(self) -> None:
+        """End as a signal asks, with the terminal put back; at once if it is closed: Textual would wait."""
+        loop = asyncio.get_running_loop()
+
+        def end(number: int, _: object) -> None:
+            try:
+                os.get_terminal_size(0)
+            except OSError:
+                os._exit(128 + number)
+            loop.call_soon_threadsafe(self.exit, None, 128 + number)
+
+        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)  # Windows has no SIGHUP, `nohup` ignores it
+            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+                signal.signal(number, end)
 
     def on_resize(self, event: events.Resize) -> None:
         small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]

@@ -216,7 +216,9 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         *_quick("'x**2/4' --tolerance .05"),
         "'x**2/4'",
     ),
-    "part profile": (*_quick("'.3+0*x' --tolerance .05"), "'.3+0*x'"),
+    "part profile": (
+        *_quick("'.3+0*x' --tolerance .05"), *_quick("'.3+0*x' --tolerance .05 --cutter .1"), "'.3+0*x'",
+    ),
     "part die": (
         *_quick("--tolerance .05"), "", "--cut rounding", "--cut groove", *_quick("--major .5 --minor .3"),
     ),
@@ -342,6 +344,7 @@ _VALUES: Final = {
     "--z-feed-point": "2.9",
     "--z-depth": "3.6",
     "--side": "below",
+    "part profile --side": "inside",
     "--holes": "2,2",
     "--cut": "rounding",
     "--program": "control",

@@ -45,7 +45,7 @@ def sit_down(
             stop = pacing.live(machine, max_time, pass_on, take, realtime)
     finally:
         machine.teletype.printer.on_frame = None
-    click.echo(err=True)
+        command.tell("")
     if stop is None:
         from pdp8.cli.monitor import converse
         from pdp8.monitor.prompt import Monitor

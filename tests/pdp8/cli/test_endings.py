@@ -1,0 +1,47 @@
+"""A command at a terminal ends as a signal asks, or as the terminal is closed: with its files, never raw."""
+
+import os
+import signal
+from pathlib import Path
+
+import pytest
+
+from tests.commands import Terminal, eventually
+
+COMMANDS = {
+    "run": (("run", "echo.pal", "--keyboard", "--punch", "out.tape"), b"Ctrl-]"),
+    "monitor": (("monitor",), b"help tells"),
+    "panel": (("panel", "eia.pal"), b"MEMORY ADDRESS"),
+}
+"""Each command that takes a terminal over, and what it shows when it has."""
+_MODES = (b"1049", b"1000", b"2004")
+"""The second screen, the mouse, brackets around a paste: what is switched on is switched off."""
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, 0])
+def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) -> None:
+    if name == "panel":
+        pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
+    if name == "monitor" and number == signal.SIGINT:
+        pytest.skip("Ctrl-C leaves the line, not the monitor: test_sessions.py")
+    words, shown = COMMANDS[name]
+    terminal = Terminal("pdp8", *words, folder=tmp_path, TERM="xterm-256color", LINES="30")
+    seen = terminal.until(shown)
+    assert eventually(lambda: not terminal.restored())
+    if name == "run":
+        terminal.type(b"ABC")
+        assert eventually(lambda: (tmp_path / "out.tape").read_bytes() == b"\xc1\xc2\xc3")
+    if number:
+        terminal.process.send_signal(number)
+        assert terminal.ended() == 128 + number
+        seen += terminal.seen
+        assert terminal.restored()
+        for mode in _MODES:
+            assert seen.rfind(b"\x1b[?" + mode + b"l") >= seen.rfind(b"\x1b[?" + mode + b"h"), mode
+        assert b"Traceback" not in seen
+    else:
+        os.close(terminal.file)
+        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
+    if name == "run":
+        assert (tmp_path / "out.tape").read_bytes() == b"\xc1\xc2\xc3"
