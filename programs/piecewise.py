@@ -10,8 +10,8 @@ Y slow, and X slow and Y fast; all other paths lie between them. With a feed err
 Where no pair fits, the block goes along one axis: the limiting case of Chapter 3. The band is checked at
 twelve points of each leg; the bands of stretches are smooth enough for that.
 
-A block is chosen without a look at those after it, so that other choices may need fewer blocks: fewest.py has
-the least there can be.
+A block is chosen without a look at those after it, so that other choices may need fewer blocks:
+tests/reference/fewest.c finds the least there can be.
 
 Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs and stops is ours.
 """

@@ -19,7 +19,7 @@ from pdp8.thesis.reading import pal_line
 NOTE: Final = "Characters in [brackets] are not to be read in the scan: they are supplied."
 
 _BRACKETS = re.compile(r"\[([^][]*)\]")
-_MARKED_LINE = re.compile(r"^(.*(?:\t/[WDRC]| (?:DAMAGED|RESTORED|CONJECTURE))\b.*)$", re.MULTILINE)
+_MARKED_LINE = re.compile(r"^(?!\s*/)(.*(?:\t/[WDRC]| (?:DAMAGED|RESTORED|CONJECTURE))\b.*)$", re.MULTILINE)
 _PAL_DIGITS = 8
 _ZEROS = str.maketrans("ØQ@", "000")
 

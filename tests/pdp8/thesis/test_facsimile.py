@@ -8,7 +8,7 @@ import pytest
 
 import pal
 from pdp8.thesis.facsimile import facsimile
-from pdp8.thesis.supplied import marked
+from pdp8.thesis.supplied import html, marked
 from programs import circle, ellipse
 from tests.pdp8.thesis import OCR, scanned
 from tests.programs.fortran import printout
@@ -94,3 +94,11 @@ def test_the_columns_are_those_of_page_109() -> None:
     assert "345  IF(AX-0.) 45,45,41" in lines
     assert "335 30 FORMAT(I3,I1,I5,I5,I3,I2)" in lines
     assert f"{'355  ARS=1745.':<33}/INNER LIMIT" in lines
+
+
+def test_a_listing_s_key_to_its_marks_is_not_marked() -> None:
+    """In another colour stand the lines with a mark, not the comment that says what the marks mean."""
+    marked = re.findall(
+        r'<mark class="supplied">(.*)</mark>', html("\t/\t/D\tA DAMAGED LINE\n4214\tJMS READ\t/D")
+    )
+    assert marked == ["4214\tJMS READ\t/D"]
