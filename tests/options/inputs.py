@@ -203,8 +203,8 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "tape punch": ("typed.txt", "words.txt"),
     "tape show": ("in.asc",),
-    "part circle": (*_quick("--radius .3"), *_quick("--tolerance .05"), ""),
-    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), "--minor 2.1", ""),
+    "part circle": (*_quick("--radius .3"), *_quick("--tolerance .05"), *_quick("")),
+    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), "--minor 2.1", *_quick("")),
     "part polynomial": (
         *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", *_quick("--to .2"), "",
     ),
@@ -221,6 +221,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "part die": (
         *_quick("--tolerance .05"), "", "--cut rounding", "--cut groove", *_quick("--major .5 --minor .3"),
+        "--technique piece",
     ),
     "part fluidic": (
         *_quick("--tolerance .05"),

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from pdp8 import shelf
 from programs import fluidic, least_squares, parts, stretches
 from programs.function import Range, offset_path
 from programs.header import Header
@@ -18,7 +19,7 @@ from programs.piecewise import Technique
 from programs.printout import check_band, check_codes, check_on_table, check_start
 from programs.stretches import Point, arc, graph
 from programs.units import FRACTION, INCHES, NUMBER, THOUSANDTHS, UnitError
-from tapes import ascii
+from tapes import ascii, eia
 from tapes.errors import WorkError
 from tests.conftest import Call, Shell, case
 
@@ -234,3 +235,14 @@ def test_a_script_is_told_what_the_command_says() -> None:
     for name, constants, message in refused:
         with pytest.raises(WorkError, match=re.escape(f"{name}: {message}")):
             parts.part(name, **constants)
+
+
+@pytest.mark.parametrize("name", ["slope", "circle", "ellipse", "die"])
+def test_fewest_punches_the_proved_tape(call: Call, name: str) -> None:
+    """Its own sizes alone: with another it is refused, as without the technique."""
+    status, punched, _ = call(f"pdp8 part {name} --technique piece --fewest")
+    assert status == 0
+    text = ascii.decode(punched.encode("utf-8", "surrogateescape"))
+    assert eia.encode(text) == shelf.read_bundled(f"{name}-fewest.eia")
+    for wrong in ("--fewest", "--fewest --technique piece --tolerance .01"):
+        assert call(f"pdp8 part {name} {wrong}")[0] == 2
