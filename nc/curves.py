@@ -10,7 +10,7 @@ Lengths are thousandths of an inch, angles degrees counterclockwise from +X.
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
@@ -27,6 +27,7 @@ _STEP = 1e-6
 _FINE = 7_200
 _ROUND = 5
 """What a nominal is a multiple of, in thousandths, if nothing speaks against it."""
+_GUESSED = ", guessed from the path"
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +58,10 @@ class Stations:
 
 
 class Curve(ABC):
-    """A curve that can be sampled; `closed`: its end is its start."""
+    """A curve that can be sampled; `closed`: its end is its start, and `guessed`: nobody named it."""
 
     closed: ClassVar[bool] = False
+    guessed: bool = False
 
     @abstractmethod
     def stations(self, count: int) -> Stations:
@@ -84,6 +86,7 @@ class Ellipse(Curve):
     y: float
     a: float
     b: float
+    guessed: bool = field(default=False, compare=False, kw_only=True)
 
     def __post_init__(self) -> None:
         """Raise WorkError for axes that are not positive."""
@@ -114,8 +117,9 @@ class Ellipse(Curve):
     def __str__(self) -> str:
         centre = f"centre X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
         if self.a == self.b:
-            return f"circle, {centre}, radius {self.a / 1000:.3f} in"
-        return f"ellipse, {centre}, semi-axes {self.a / 1000:.3f} and {self.b / 1000:.3f} in"
+            return f"circle, {centre}, radius {self.a / 1000:.3f} in{_GUESSED * self.guessed}"
+        axes = f"semi-axes {self.a / 1000:.3f} and {self.b / 1000:.3f} in"
+        return f"ellipse, {centre}, {axes}{_GUESSED * self.guessed}"
 
 
 @dataclass(frozen=True)
@@ -126,6 +130,7 @@ class StraightLine(Curve):
     y1: float
     x2: float
     y2: float
+    guessed: bool = field(default=False, compare=False, kw_only=True)
 
     def __post_init__(self) -> None:
         """Raise WorkError for a line of length 0."""
@@ -153,7 +158,7 @@ class StraightLine(Curve):
 
     def __str__(self) -> str:
         ends = (f"X {x / 1000:.3f} Y {y / 1000:.3f}" for x, y in ((self.x1, self.y1), (self.x2, self.y2)))
-        return f"line from {' to '.join(ends)}"
+        return f"line from {' to '.join(ends)}{_GUESSED * self.guessed}"
 
 
 @dataclass(frozen=True)
@@ -262,7 +267,7 @@ def fitted(points: Floats, within: float, band: float = 0) -> Ellipse | Straight
         for unit, furthest in ((_ROUND, band), (1, within)):
             curve = fit(points, unit)
             if curve is not None and np.abs(curve.deviations(points)).max() <= furthest:
-                return curve
+                return replace(curve, guessed=True)
     return None
 
 

@@ -3,7 +3,8 @@
     layer MILL       one polyline for each run of cuts, at the depth it was cut
     layer POSITION   positioning moves, dashed
     layer HOLES      where the quill went down, as wide as the cutter
-    layer CURVE      the nominal curve, where it is known
+    layer CURVE      the nominal curve, where it is named
+    layer GUESSED    the curve that the path follows, where none is named
 
 Needs ezdxf, the extra `nc`.
 """
@@ -29,6 +30,7 @@ _LAYERS = (
     ("POSITION", 8, "DASHED"),
     ("HOLES", 1, "CONTINUOUS"),
     ("CURVE", 3, "DASHED"),
+    ("GUESSED", 3, "DASHED"),
 )
 
 
@@ -72,7 +74,8 @@ def _draw(drawing: "Drawing", path: Path, curve: Curve | None, cutter: float) ->
         space.add_circle(centre, cutter / 2000, dxfattribs={"layer": "HOLES"})
     if curve is not None:
         places = (curve.stations(720).points / 1000).tolist()
-        space.add_lwpolyline(places, close=curve.closed, dxfattribs={"layer": "CURVE"})
+        layer = "GUESSED" if curve.guessed else "CURVE"
+        space.add_lwpolyline(places, close=curve.closed, dxfattribs={"layer": layer})
 
 
 def _draw_moves(space: "Modelspace", path: Path) -> None:

@@ -83,7 +83,7 @@ class Inspection:
     """A path measured against its nominal curve; the cutter's diameter and the tolerance are in thousandths.
 
     `centre` is the furthest that the cutter's centre went inside and outside the curve near it. `stepwise`:
-    each cut is along one axis. `guessed`: nobody named the curve; the path follows it.
+    each cut is along one axis.
     """
 
     curve: Curve
@@ -93,7 +93,6 @@ class Inspection:
     centre: tuple[float, float]
     stepwise: bool
     readings: tuple[Reading, ...]
-    guessed: bool
 
     @property
     def worst(self) -> Reading:
@@ -133,7 +132,6 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     cuts = segments(path.cuts)
     if not len(cuts):
         raise WorkError("no block of this tape mills: there is no surface to inspect")
-    guessed = curve is None
     curve = curve or followed(path, tolerance)
     if curve is None:
         raise WorkError(
@@ -149,7 +147,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     readings = tuple(_readings(curve, measured))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     limits = float(centre.min()), float(centre.max())
-    return Inspection(curve, cutter, tolerance, measured, limits, stepwise, readings, guessed)
+    return Inspection(curve, cutter, tolerance, measured, limits, stepwise, readings)
 
 
 def _corners(cuts: Floats) -> Floats:

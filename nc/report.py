@@ -92,7 +92,7 @@ def _minutes(seconds: float) -> str:
 
 def inspection_report(inspection: Inspection) -> Iterator[str]:
     """Yield the readings of the instruments, line by line; errors in inches."""
-    yield f"nominal   {inspection.curve}{', guessed from the path' if inspection.guessed else ''}"
+    yield f"nominal   {inspection.curve}"
     yield (
         f"cutter    {inspection.cutter / 1000:.3f} in; its centre went "
         f"from {_side(inspection, 0)} to {_side(inspection, 1)} of nominal"
@@ -123,7 +123,7 @@ def _side(inspection: Inspection, end: int) -> str:
 
 def _verdict(inspection: Inspection) -> str:
     furthest = inspection.furthest
-    guessed = " from the guessed nominal" if inspection.guessed else ""
+    guessed = " from the guessed nominal" if inspection.curve.guessed else ""
     return (
         f"{'within' if inspection.within_tolerance else 'out of'} tolerance: "
         + ("not all of the curve is cut; " if inspection.uncut else "")

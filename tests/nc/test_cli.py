@@ -1,6 +1,7 @@
 """`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
 
 import re
+from dataclasses import replace
 
 import pytest
 from click.testing import CliRunner
@@ -86,9 +87,10 @@ def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:
 
 def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     path, around = cut(CIRCLE), Ellipse(4000, 4000, 1750, 1750)
+    guessed = replace(around, guessed=True)
     options = "--block 100 --cutter .25in --tolerance .01in --zoom 8 --at 4,5.735"
     for named, curve in (
-        ("", around),
+        ("", guessed),
         ("--circle 4,4,1.75", around),
         ("--function x*x --range 0,1", Graph(4000, 5000, "x*x", 0, 1)),
         ("--function x*x --range 0,1 --origin 3,6", Graph(3000, 6000, "x*x", 0, 1)),

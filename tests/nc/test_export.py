@@ -20,6 +20,7 @@ import nc
 from nc.curves import Ellipse
 from nc.dxf import dxf
 from nc.gcode_1971 import gcode_1971
+from nc.inspection import followed
 from nc.machine import Settings
 from nc.path import MoveKind
 from tapes.errors import WorkError
@@ -183,6 +184,7 @@ def test_the_circle_as_dxf() -> None:
         "POSITION": (8, "DASHED"),
         "HOLES": (1, "CONTINUOUS"),
         "CURVE": (3, "DASHED"),
+        "GUESSED": (3, "DASHED"),
     }
     milled, curve = drawing.query("LWPOLYLINE")
     assert isinstance(milled, LWPolyline)
@@ -194,6 +196,8 @@ def test_the_circle_as_dxf() -> None:
     assert (curve.dxf.layer, curve.closed) == ("CURVE", True)
     assert np.hypot(*(np.array(curve.get_points("xy")) - 4).T) == pytest.approx(1.75)
     assert [line.dxf.layer for line in drawing.query("LINE")] == ["POSITION"] * 5
+    guessed = read_back(dxf(path, followed(path, 5))).query("LWPOLYLINE")
+    assert [line.dxf.layer for line in guessed] == ["MILL", "GUESSED"]
 
 
 def test_the_four_holes_as_dxf() -> None:

@@ -116,7 +116,7 @@ def test_a_guessed_nominal_is_round_and_feeds_do_not_move_it() -> None:
     for x, y in ((0.0, 0.0), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)):
         found = inspect(nc.cut(frames, settings=Settings(feed_error=(x, y, 0))))
         with case(f"{x}, {y}"):
-            assert (found.curve, found.guessed, found.within_tolerance) == (around, True, True)
+            assert (found.curve, found.curve.guessed, found.within_tolerance) == (around, True, True)
     assert "guessed" in next(inspection_report(found))
     assert "guessed" in [*inspection_report(found)][-1]
     assert "guessed" not in "".join(inspection_report(inspect(nc.cut(frames), around)))
