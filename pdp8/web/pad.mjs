@@ -70,9 +70,8 @@ export class Pad {
   #at({ clientX, clientY }) {
     const { left, top, width } = this.svg.getBoundingClientRect();
     const scale = this.svg.viewBox.baseVal.width / width;
-    const { ox, oy, sx, sy } = this.view;
-    const y = (oy - (clientY - top) * scale) / sy;
-    return { n: (((clientX - left) * scale - ox) / sx - FROM) / STEP, y: Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y)) };
+    const { x, y } = this.view.place((clientX - left) * scale, (clientY - top) * scale);
+    return { n: (x - FROM) / STEP, y: Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y)) };
   }
 
   #draw(before, now) {

@@ -21,6 +21,11 @@ export class View {
     return this.oy - at * this.sy;
   }
 
+  /** The place that stands there. */
+  place(x, y) {
+    return { x: (x - this.ox) / this.sx, y: (this.oy - y) / this.sy };
+  }
+
   /** A line through places, but for the ways to those where the cutter is not `down`. */
   line(places, attributes, close = false) {
     const d = places.map(({ x, y, down = true }, index) => `${index && down ? "L" : "M"}${this.x(x).toFixed(1)} ${this.y(y).toFixed(1)}`);

@@ -144,6 +144,11 @@ function valued({ checked, dataset: { most, unit }, type, value }) {
   return unit === "times" ? grown : Math.round(grown);
 }
 
+/** The value of an input with data-most that stands for so many. */
+export function grownBack(many, most) {
+  return (100 * Math.log(many)) / Math.log(most);
+}
+
 /**
  * The band made straight: along it in true proportion, across it magnified until the band can be seen.
  * `traces` are [places as {x: along, y: off}, class]; `tolerance` is half the band.

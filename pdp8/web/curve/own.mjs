@@ -19,7 +19,8 @@ export function own(record, save, open) {
     const strip = { x: 8, y: box.height + 26, width: width - 62, height: 90 };
     const view = pad.fit(box);
     const tall = strip.y + strip.height + 8;
-    const alone = (said) => [clipped(box, view.line(pad.places, 'class="intended"')) + rect(box, 'class="frame"'), tall, said];
+    const band = { x: strip.x + strip.width / 2, y: strip.y + strip.height * 0.2, to: ({ dy, start }) => start - dy / 3 };
+    const alone = (said) => [clipped(box, view.line(pad.places, 'class="intended"')) + rect(box, 'class="frame"'), tall, said, { tolerance: band }];
     if (pad.finger) {
       if (last) translate((last = ""));
       return alone("Lift the finger, and it is cut.");
@@ -33,9 +34,10 @@ export function own(record, save, open) {
     const worst = off.reduce((most, { y }) => Math.max(most, Math.abs(y)), 0);
     const content = view.line(way, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`) + view.line(pad.places, 'class="intended"') + view.line(way, 'class="way"') + view.circle({ ...at, radius: CUTTER }, 'class="tool"');
     const to = ({ x }) => (1000 * Math.max(0, way.findIndex((stop) => view.x(stop.x) >= x))) / (way.length - 1);
-    const holds = { place: { x: view.x(at.x), y: view.y(at.y), to } };
-    const said = html`<b>${found.blocks} blocks</b>: reading ${minutes(found.reading)} + cutting ${minutes(found.milling)} = <b>${minutes(found.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve. ${told}`;
-    return [clipped(box, content) + rect(box, 'class="frame"') + text(strip.x, strip.y - 7, "the band made straight", 'class="small"') + straightened(strip, pad.length, tolerance, 1.6 * tolerance + 1, [[off, "way"]]), tall, said, holds];
+    const reach = 1.6 * tolerance + 1;
+    const holds = { tolerance: { ...band, y: strip.y + (strip.height / 2) * (1 - tolerance / reach) }, place: { x: view.x(at.x), y: view.y(at.y), to } };
+    const said = html`<b>${found.blocks} blocks</b>: reading ${minutes(found.reading)} + cutting ${minutes(found.milling)} = <b>${minutes(found.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve; promised are ${mils(tolerance + 1)}. ${told}`;
+    return [clipped(box, content) + rect(box, 'class="frame"') + text(strip.x, strip.y - 7, "the band made straight", 'class="small"') + straightened(strip, pad.length, tolerance, reach, [[off, "way"]]), tall, said, holds];
   });
   const pad = new Pad(figure.svg, () => figure.later());
 

@@ -1,7 +1,7 @@
 // The step-wise technique on a curve: what the tolerance, the cutter and the feed change, and what they cost.
 
 import { CENTRE, RADIUS } from "../method.mjs";
-import { Figure, mils, minutes, onCircle, straightened } from "./drawing.mjs";
+import { Figure, grownBack, mils, minutes, onCircle, straightened } from "./drawing.mjs";
 import { CIRCLE, made as madeOf } from "./made.mjs";
 import { html } from "../html.mjs";
 import { clipped, rect, text, View } from "../svg.mjs";
@@ -9,6 +9,7 @@ import { troughToPeak } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
 const STATIONS = 1800;
+const RIM = 16; // pixels from the cutter's rim to the ring that makes it larger
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
 const quarter = (tolerance, feed) => madeOf("quarter", tolerance, feed);
 
@@ -34,7 +35,7 @@ export function costs() {
     const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
     const { blocks, reading, milling, minutes: took } = quarter(tolerance, code);
     const wide = chart.width / all.length;
-    const to = ({ x }) => 100 * (Math.log(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))]) / Math.log(50));
+    const to = ({ x }) => grownBack(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))], 50);
     const hold = { x: chart.x + (all.indexOf(tolerance) + 0.5) * wide, y: chart.y + chart.height + 28, to };
     return [compared(all, tolerance, code, chart), chart.y + chart.height + 42, html`±${mils(tolerance)} in: <b>${blocks} blocks</b>, reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>.`, { tolerance: hold }];
   });
@@ -61,7 +62,9 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   const seen = around(way, at, 3 * half);
   const drawn = ring(0, `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, 'class="limit"') + ring(-tolerance, 'class="limit"') + ring(0, 'class="intended"') + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
   const times = Math.round(near.sx / far.sx);
+  const aside = radius * far.sx + RIM;
   const holds = {
+    cutter: { x: far.x(at.x) - outward.x * aside, y: far.y(at.y) + outward.y * aside, to: ({ x, y }) => ((Math.hypot(x - far.x(at.x), y - far.y(at.y)) - RIM) / far.sx) * (32 / 1000) },
     place: { x: far.x(at.x), y: far.y(at.y), to: ({ x, y }) => (Math.atan2(far.y(CENTRE) - y, far.x(CENTRE) - x) * 180) / Math.PI },
     tolerance: { x: near.x(at.x) + outward.x * tolerance * near.sx, y: near.y(at.y) - outward.y * tolerance * near.sy, to: ({ dx, dy, start }) => start + (dx * outward.x - dy * outward.y) / 3 },
   };

@@ -1,7 +1,7 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
 import { SLOPE } from "../method.mjs";
-import { Figure, inch, minutes, straightened } from "./drawing.mjs";
+import { Figure, grownBack, inch, minutes, straightened } from "./drawing.mjs";
 import { made } from "./made.mjs";
 import { html } from "../html.mjs";
 import { text, View } from "../svg.mjs";
@@ -72,9 +72,11 @@ export function piecewise({ fewest: frames }) {
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
     const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[way.map(beside), "way"]]);
     const inside = worst <= BAND;
+    const next = stops.find(({ x }) => x > FROM.x);
+    const first = { x: view.x(next.x), y: view.y(next.y), to: ({ x, y }) => grownBack(LENGTH / Math.max(1, beside(view.place(x, y)).x), 250) };
     const verdict = inside ? html`<b class="good">inside the band</b>` : html`<b class="bad">outside the band</b>`;
-    return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`];
-  });
+    return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`, proved ? {} : { pieces: first }];
+  }, { pieces: (count, { fewest: proved }) => (proved ? "as proved" : String(count)) });
 }
 
 function title(box, reach, length = LENGTH) {

@@ -153,15 +153,18 @@ def test_a_figure_is_computed_when_it_comes_near(page: Page) -> None:
 @pytest.mark.parametrize(
     ("figure", "name", "by"),
     [
+        ("piecewise", "pieces", (60, -30)),
         ("stepwise", "tolerance", (0, 90)),
         ("stepwise", "angle", (-20, 60)),
         ("curved", "place", (60, -60)),
         ("curved", "tolerance", (-60, -20)),
+        ("curved", "cutter", (30, 20)),
         ("costs", "tolerance", (90, 0)),
         ("whole", "time", (40, 80)),
         ("holes", "block", (-120, 0)),
         ("translating", "character", (60, 0)),
         ("own", "place", (60, 0)),
+        ("own", "tolerance", (0, -15)),
     ],
 )
 def test_what_has_a_ring_is_dragged_in_the_drawing(
