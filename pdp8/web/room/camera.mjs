@@ -37,6 +37,11 @@ export class Camera {
     return Math.exp(this.eye.zoom);
   }
 
+  /** The same where it comes to rest. */
+  get goal() {
+    return Math.exp(this.aim.zoom);
+  }
+
   /** Where on the screen the room's 0, 0 is. */
   get origin() {
     const { eye, frame, scale } = this;

@@ -1,5 +1,5 @@
 // What is in the room, drawn through the camera: each thing in inches from its own upper left corner. What does not change is
-// drawn once for about its size.
+// drawn once for the size that it has where the camera comes to rest, one thing in each picture of the room.
 
 import { sheet } from "./ink.mjs";
 import { drawMill, MILL } from "./mill.mjs";
@@ -9,7 +9,6 @@ import { drawTeletype, TELETYPE } from "./teletype.mjs";
 const STILLS = { teletype: [TELETYPE, drawTeletype], panel: [PANEL, drawPanel], mill: [MILL, drawMill] };
 const MARGIN = 1.5; // inches about a thing, for its shadow
 const LARGEST = 4096; // pixels of a picture
-const NEAR = 0.3; // of a picture's size, as a logarithm: it is drawn anew when it is further off
 const DIM = 0.62; // how dark it is where no light falls
 const DUSK = 0.35; // seconds in which it gets dark
 
@@ -30,7 +29,7 @@ export class Scene {
   }
 
   /** Draw the room: `live` draws what moves on each thing that is there, `lit` says whether light falls on it; `shown` is how
-   *  the panel is shown. Return whether the light still changes.
+   *  the panel is shown. Return whether the light still changes, or a picture is not yet as sharp as it can be.
    */
   draw(camera, where, live, lit, seconds, shown = WHOLE) {
     const { context: c, canvas, ratio } = this;
@@ -38,18 +37,21 @@ export class Scene {
     c.setTransform(1, 0, 0, 1, 0, 0);
     c.clearRect(0, 0, canvas.width, canvas.height);
     let changes = false;
+    this.drawn = this.blurred = false;
     for (const [name, { x, y }] of Object.entries(where)) {
       const [{ w, h, hangs = 0 }, still] = STILLS[name];
-      const [left, top] = [origin.x + x * scale, origin.y + y * scale];
+      const corner = [origin.x + x * scale, origin.y + y * scale];
+      const [left, top] = camera.moves ? corner : corner.map((at) => (Math.round((at - MARGIN * scale) * ratio) / ratio) + MARGIN * scale);
       if (left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0) continue;
       c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
       inPieces(c, name === "panel" ? shown : WHOLE, () => {
-        c.drawImage(this.#still(name, still, w, h, camera), -MARGIN, -MARGIN, w + 2 * MARGIN, h + 2 * MARGIN);
+        const { picture, sharp } = this.#still(name, still, w, h, camera);
+        c.drawImage(picture, -MARGIN, -MARGIN, picture.width / sharp, picture.height / sharp);
         live[name](c);
       });
       changes = this.#dim(c, name, w, h + hangs, lit(name), seconds) || changes;
     }
-    return changes;
+    return changes || this.blurred;
   }
 
   /** Light falls on what happens now; the rest of the room stands in the dark. */
@@ -66,14 +68,18 @@ export class Scene {
     return Math.abs(dark - goal) > 0.01;
   }
 
+  /** What does not change of a thing: its picture, with the pixels of an inch. */
   #still(name, still, w, h, camera) {
     const kept = this.stills.get(name);
-    const scale = camera.scale * this.ratio;
-    if (kept && (camera.moves || Math.abs(Math.log(kept.scale / scale)) < NEAR)) return kept.picture;
-    const sharp = Math.min(scale, LARGEST / (Math.max(w, h) + 2 * MARGIN));
-    if (kept?.sharp === sharp) return kept.picture;
-    const picture = sheet(w, h, sharp, still, MARGIN);
-    this.stills.set(name, { picture, scale, sharp });
-    return picture;
+    const sharp = Math.min(camera.goal * this.ratio, LARGEST / (Math.max(w, h) + 2 * MARGIN));
+    if (kept?.sharp === sharp) return kept;
+    if (kept && this.drawn) {
+      this.blurred = true;
+      return kept;
+    }
+    this.drawn = true;
+    const made = { picture: sheet(w, h, sharp, still, MARGIN), sharp };
+    this.stills.set(name, made);
+    return made;
   }
 }
