@@ -254,13 +254,16 @@ def test_a_thousand_lines_are_typed_without_delay(page: Page) -> None:
     assert took[len(took) // 4] < 16
 
 
+_COUNTS = """[...document.querySelectorAll("#gutter .line")].slice(1, 4)
+  .map((line) => line.innerText.trim().split(/\\s+/)[3]).join()"""
+
+
 def test_counts_and_the_current_line(page: Page) -> None:
     page.locator("#source").fill("*200\n\tISZ N\n\tJMP .-1\n\tHLT\nN,\t-5\n$\n")
     page.locator("#counts").check()
     click(page, "#run-it")
     until(page, "!workbench.machine.processor.run && workbench.machine.processor.pc === 0o203")
-    rows = [row.split() for row in page.locator("#gutter .line").all_inner_texts()]
-    assert [row[3] for row in rows[1:4]] == ["5", "4", "1"]
+    until(page, f"{_COUNTS} === '5,4,1'")  # it is drawn a moment later
     page.evaluate("workbench.machine.pc = 0o201; workbench.touched();")
     assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
 
