@@ -3,7 +3,7 @@
     pass 1    defines the symbols
     pass 2    writes the words, with the final values
 
-A line is read token by token (`pal.source.tokens`). A statement is an origin, a tag, a definition, a
+A line is read token by token. A statement is an origin, a tag, a definition, a
 pseudo-operator, or an expression, which makes a word:
 
     expression    term, operator, term ...    + - ! & ^ % and the blank, which is OR; from left to right, in
@@ -39,13 +39,11 @@ from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
 from pal.notes import COLON, LOWER_CASE, RESERVED, TOO_LARGE, Mention, Note
 from pal.punch import BLOCK
-from pal.source import Line, tokens
+from pal.source import Line, plain
 from pal.symbols import SIGNIFICANT
 from tapes.binary import FIELD, ORIGIN, WORD
 
 _MASK = 0o7777
-_OPERATORS = frozenset("+-!&^%")
-_ENDS = frozenset(["", ";", ")", "]", ">", "<"])
 _CELLS = 34  # of DEC's push-down list
 _CELLS_OF_EXPRESSION, _CELLS_OF_REFERENCE, _CELLS_OF_LITERAL, _CELLS_OF_EQUALS = 1, 2, 4, 6
 _LEAST_IN_PAGE, _LEAST_IN_ZERO = 0o100, 0o20  # DEC has no room for literals below
@@ -56,7 +54,7 @@ PLAIN, REFERENCE, MARK, PSEUDO, WEAK = 1, 2, 3, 4, 5
 
 
 _MISPLACED = {
-    **dict.fromkeys(_OPERATORS, ("an operator after another", "one stands between two terms")),
+    **dict.fromkeys("+-!&^%", ("an operator after another", "one stands between two terms")),
     "*": ("* multiplies nothing: it begins an origin", "^ multiplies"),
     ")": (") closes nothing", "take it away"),
     "]": ("] closes nothing", "take it away"),
@@ -111,6 +109,19 @@ def _is_letter(character: str) -> bool:
     return "A" <= character <= "Z"
 
 
+def _is_figure(character: str) -> bool:
+    return "0" <= character <= "9"
+
+
+def _operates(character: str) -> bool:
+    return character in "+-!&^%"
+
+
+def _ends(character: str) -> bool:
+    r"""Tell whether an expression ends before a character: \n is the end of the line."""
+    return character in "\n;)]><"
+
+
 class Assembler:
     """One run of PAL8 over the lines of a source: `run`, pass 1 and then pass 2.
 
@@ -126,7 +137,7 @@ class Assembler:
     def __init__(self, lines: list[Line], wipe: bool = False, exact: bool = False) -> None:
         self._lines = lines
         self._texts = [line.text[:LINE] if exact else line.text for line in lines]
-        self._read = [tokens(text, 0, not exact) for text in self._texts]
+        self._codes = [plain(text) if exact else plain(text).upper() for text in self._texts]
         self._wipe = wipe
         self._exact = exact
         self.symbols = _permanent()
@@ -206,35 +217,52 @@ class Assembler:
 
     def _go_to(self, column: int) -> None:
         """Go to `column` of the line."""
-        text = self._texts[self._index]
-        self._tokens = tokens(text, column, not self._exact) if column else self._read[self._index]
-        self._next = 0
+        self._code = self._codes[self._index]
         self._end = column
         self._advance()
 
     def _advance(self) -> None:
-        """Take the next token; `_before` is the column after the one that was taken before it."""
-        self._before = self._end
-        at = self._next
-        blank = self._tokens[at]
-        token = self._tokens[at + 1]
-        self._start = self._end + len(blank)
-        self._end = self._start + len(token)
-        self._token = token
-        self._next = min(at + 2, len(self._tokens) - 2)
-        self._blank = blank != ""
-        if not self._blank and token[:1] == "/":
+        r"""Take the next token: a name, number, `"` with its character, comment, another character, or none.
+
+        `_first` is its first character, \n if there is none; `_before`, the column after the token before it.
+        """
+        code = self._code
+        length = len(code)
+        start = self._before = self._end
+        while start < length and code[start] in " \t":
+            start += 1
+        self._blank = start > self._before
+        self._start = self._end = start
+        self._first = "\n"
+        if start < length:
+            self._first = code[start]
+            self._end = self._token_end(start + 1, length)
+        self._token = code[start : self._end]
+        if self._first == "/" and not self._blank:
             self._pass_comment()
-        elif token == "" and self._end < len(self._texts[self._index]):
-            self._go_to(self._end)  # the tokens were those of a part of the line
+
+    def _token_end(self, end: int, length: int) -> int:
+        """Return where the token ends that begins just before `end`."""
+        code = self._code
+        first = self._first
+        if _is_letter(first):
+            while end < length and (_is_letter(code[end]) or _is_figure(code[end])):
+                end += 1
+        elif _is_figure(first):
+            while end < length and _is_figure(code[end]):
+                end += 1
+        elif first == '"':
+            return min(end + 1, length)
+        return length if first == "/" else end
 
     def _pass_blank(self) -> None:
         self._blank = False
-        if self._token[:1] == "/":
+        if self._first == "/":
             self._pass_comment()
 
     def _pass_comment(self) -> None:
         """Go to the line's end; within a condition `<` and `>` count in a comment too."""
+        self._first = "\n"
         self._token = ""
         if self._level:
             self._level = self._level_after(self._start)
@@ -288,38 +316,16 @@ class Assembler:
         """Pass over a token that cannot stand here: IC for each of its characters."""
         token = self._token
         about, advice = self._illegal(token)
-        length = 1 if token[:1] == '"' else len(token)
+        length = 1 if self._first == '"' else len(token)
         for _ in range(length):
             self._say("IC", about, advice)
         self._skip_token()
 
     def _skip_token(self) -> None:
         """Take the next token, which is the character after a `"`."""
-        if self._token[:1] == '"' and len(self._token) > 1:
-            self._split_quoted()
-        else:
-            self._advance()
-
-    def _split_quoted(self) -> None:
-        """Take the character after a `"` that was passed over for what it is by itself."""
-        self._start += 1
-        self._before = self._start
-        self._token = self._texts[self._index][self._start : self._end]
-        if not self._exact:
-            self._token = self._token.upper()
-        if self._token in ("\t", " "):
-            self._advance()
-            self._blank = True
-        elif self._token == "/":
-            self._pass_comment()
-            self._end = len(self._texts[self._index])
-            self._tokens = ["", "", ""]
-            self._next = 0
-        elif _is_letter(self._token):
-            while self._tokens[self._next] == "" and self._tokens[self._next + 1][:1].isalnum():
-                self._token += self._tokens[self._next + 1]
-                self._end += len(self._tokens[self._next + 1])
-                self._next += 2
+        if self._first == '"':
+            self._end = self._start + 1
+        self._advance()
 
     def _illegal(self, token: str) -> tuple[str, str]:
         """Return message and advice for a token that cannot stand where it does."""
@@ -327,7 +333,7 @@ class Assembler:
             return "", ""
         start = self._start
         text = self._texts[self._index]
-        if token in _OPERATORS and start != self._before:
+        if _operates(token[0]) and start != self._before:
             return (
                 f"{token} after a blank, which is an operator itself (OR)",
                 f"leave no blank beside {token}",
@@ -337,7 +343,7 @@ class Assembler:
         if token in _MISPLACED:
             return _MISPLACED[token]
         if not token[0].isalnum():
-            return f"{token[:1]} cannot stand here", "DEC's PAL8 passes over it"
+            return f"{text[start : start + 1]} cannot stand here", "DEC's PAL8 passes over it"
         if self._before == start and text[start - 1 : start].isdigit() and not token[0].isdigit():
             word = text[len(text[:start].rstrip("0123456789")) : self._end]
             if text[self._end : self._end + 1] == ",":
@@ -357,9 +363,9 @@ class Assembler:
                 self._dropped = self._slips = False
             if self._blank:
                 self._pass_blank()
-            if self._token == "$":
+            if self._first == "$":
                 return True
-            if self._token not in ("", ";", ">"):
+            if self._first not in "\n;>":
                 begins = False
                 if self._statement():
                     continue
@@ -372,12 +378,12 @@ class Assembler:
         while True:
             if self._blank:
                 self._pass_blank()
-            if self._token == "":
+            if self._first == "\n":
                 return False
-            if self._token == ";":
+            if self._first == ";":
                 self._advance()
                 return True
-            if self._token == ">" and self._level:
+            if self._first == ">" and self._level:
                 self._level -= 1
                 self._advance()
             else:
@@ -389,7 +395,7 @@ class Assembler:
         self._link = False
         self._named = -1
         start = self._start
-        if self._token == "*":
+        if self._first == "*":
             self._advance()
             self._pass_blank()
             location = self._expression(False, True)
@@ -398,7 +404,7 @@ class Assembler:
                 self.origins.append((self._index, number))
             self._set_location(location, False)
             return False
-        if not _is_letter(self._token[:1]):
+        if not _is_letter(self._first):
             self._word(False, start)
             return False
         name = self._token[:SIGNIFICANT]
@@ -413,7 +419,7 @@ class Assembler:
             _ROUTINE_OF[found.name](self)
             return self._opens
         end = self._end
-        follows = self._tokens[self._next] + self._tokens[self._next + 1]
+        follows = self._code[end] if end < len(self._code) else "\n"
         if follows == "," or (follows == ":" and not self._exact):
             self._look_up()
             if follows == ":":
@@ -594,8 +600,8 @@ class Assembler:
         if found:
             goes_on = self._take_symbol()
         else:
-            if self._token in ("+", "-"):
-                self._take_operator(self._token)
+            if self._first in "+-":
+                self._take_operator(self._first)
                 self._advance()
             goes_on = self._term()
         while goes_on and self._goes_on(begun):
@@ -606,16 +612,15 @@ class Assembler:
     def _goes_on(self, begun: int) -> bool:
         """Take the operator after a term; return whether there is one."""
         while True:
-            token = self._token
             if self._blank:
                 self._take_operator(" ")
                 self._pass_blank()
                 return True
-            if token in _ENDS:
+            if _ends(self._first):
                 self._end_expression(begun)
                 return False
-            if token in _OPERATORS:
-                self._take_operator(token)
+            if _operates(self._first):
+                self._take_operator(self._first)
                 self._advance()
                 return True
             self._drop()
@@ -636,30 +641,29 @@ class Assembler:
     def _term(self) -> bool:
         """Take a term; return whether the expression may go on after it."""
         while True:
-            token = self._token
-            first = token[:1]
+            first = self._first
             if self._blank:
                 self._say(
                     "IC", "a blank after an operator", "leave no blank: it is one itself (OR)", self._before
                 )
                 self._pass_blank()
             elif _is_letter(first):
-                self._mention(token[:SIGNIFICANT], self._start, self._end, False)
+                self._mention(self._token[:SIGNIFICANT], self._start, self._end, False)
                 self._look_up()
                 return self._take_symbol()
-            elif first.isdigit():
-                self._last = self._figures(token)
+            elif _is_figure(first):
+                self._last = self._figures(self._token)
                 self._advance()
                 return self._combine()
-            elif token == ".":
+            elif first == ".":
                 self._last = self._location
                 self._advance()
                 return self._combine()
             elif first == '"':
-                return self._take_quoted(token)
-            elif token in ("(", "["):
-                return self._take_literal(token)
-            elif token not in _ENDS:
+                return self._take_quoted(self._token)
+            elif first in "([":
+                return self._take_literal(first)
+            elif not _ends(first):
                 self._drop()
             elif self._operator == " ":
                 self._end_expression(self._start)
@@ -746,7 +750,7 @@ class Assembler:
         if not (refers and self._blank):
             return self._combine()
         self._pass_blank()
-        if self._token in ("", ";") or not self._may_refer:
+        if self._first in "\n;" or not self._may_refer:
             return self._combine()
         return self._refer(self._last)
 
@@ -756,7 +760,7 @@ class Assembler:
         start, end = self._looked_up, self._before
         written = text[start:end].upper()
         advice = symbols8.ELSEWHERE.get(name) or f"define it with {written}, or {written}="
-        if self._named == start == 0 and text[end : end + 1] in (" ", "\t") and self._token not in _ENDS:
+        if self._named == start == 0 and text[end : end + 1] in (" ", "\t") and not _ends(self._first):
             equates = self._token.upper() == "EQU"
             advice = f"PAL8 has no EQU: write {written}=" if equates else f"if it is a tag, write {written},"
             self._slips = True
@@ -786,7 +790,7 @@ class Assembler:
         self._push(_CELLS_OF_REFERENCE)
         marks = 0
         found = False
-        while _is_letter(self._token[:1]) and not found:
+        while _is_letter(self._first) and not found:
             self._mention(self._token[:SIGNIFICANT], self._start, self._end, False)
             self._look_up()
             if self._tag.kind == MARK:
@@ -795,7 +799,7 @@ class Assembler:
                 self._pass_blank()
             else:
                 found = True
-        number = self._token == "-" and not found and self._tokens[self._next + 1][:1].isdigit()
+        number = not found and self._first == "-" and self._code[self._end :].lstrip()[:1].isdigit()
         address = self._expression(found, False)
         self._stack -= _CELLS_OF_REFERENCE
         if number and address & 0o7000 == 0o7000:
@@ -845,14 +849,14 @@ class Assembler:
         self._last = self._find(value, 0 if opening == "[" else self._location >> 7, start)
         self._may_refer, self._operator, self._value, self._has_blank, self._ored, self._group = kept
         self._stack -= _CELLS_OF_LITERAL
-        if self._token in (")", "]"):
+        if self._first in ")]":
             self._advance()
         return self._combine()
 
     def _look_for_division(self, start: int) -> None:
         """Note a comment that was meant for a division: `(6/2)`."""
-        text = self._texts[self._index][self._before :]
-        if self._token == "" and text[:1] == "/" and text[1:2].isalnum() and ")" in text:
+        text = self._texts[self._index][self._before :] if self._first == "\n" else ""
+        if text[:1] == "/" and text[1:2].isalnum() and ")" in text:
             self._note("PN52", "a / begins a comment here", "% divides", start)
 
     def _find(self, value: int, page: int, start: int) -> int:
@@ -959,7 +963,7 @@ class Assembler:
 
     def _has_argument(self) -> bool:
         self._pass_blank()
-        return self._token not in ("", ";", ">")
+        return self._first not in "\n;>"
 
     def _find_token(self, wanted: str, about: str, advice: str, blanks: bool = True) -> bool:
         """Pass over what comes before a token that is wanted, or a name; return whether there is one.
@@ -967,9 +971,9 @@ class Assembler:
         `blanks` is whether blanks between are nothing; else they are illegal too.
         """
         self._pass_blank()
-        while self._blank or not (self._token == wanted if wanted else _is_letter(self._token[:1])):
-            if not self._blank and self._token not in ("", ";"):
-                for _ in range(1 if self._token[0] == '"' else len(self._token)):
+        while self._blank or not (self._token == wanted if wanted else _is_letter(self._first)):
+            if not self._blank and self._first not in "\n;":
+                for _ in range(1 if self._first == '"' else len(self._token)):
                     self._say("IC", about, advice)
                 self._skip_token()
                 self._blank = self._blank and not blanks
@@ -1046,7 +1050,7 @@ class Assembler:
         """TEXT: two characters a word, six bits each, and 00 at the end."""
         text = self._texts[self._index]
         column = self._before
-        if self._exact and not self._blank and self._token in ("", ";"):
+        if self._exact and not self._blank and self._first in "\n;":
             self._write(0, self._keep(self._begun, column))
             return
         self._before = column + 1
@@ -1090,7 +1094,7 @@ class Assembler:
     def _pack(self, room: int) -> None:
         """Pack letters and digits, two a word, and 00 for those that are not there."""
         characters = ""
-        while not self._blank and self._token[:1].isalnum():
+        while not self._blank and (_is_letter(self._first) or _is_figure(self._first)):
             characters += self._token
             self._advance()
         if not characters and room > 2:
@@ -1161,7 +1165,7 @@ def _filename(run: Assembler) -> None:
     """Pack six characters, and two after the point."""
     run._pass_blank()
     run._pack(6)
-    if run._token == "." and not run._blank:
+    if run._first == "." and not run._blank:
         run._advance()
     run._pack(2)
 
@@ -1205,6 +1209,7 @@ def _pause(run: Assembler) -> None:
     """DEC's reads no more of the file; here it goes on."""
     if run._exact:
         run._index = len(run._lines)
+        run._first = "\n"
         run._token = ""
         run._blank = False
     else:
@@ -1215,7 +1220,7 @@ def _pause(run: Assembler) -> None:
 
 def _eject(run: Assembler) -> None:
     """Begin a page of the listing, with a title, to the next `;` or comment."""
-    while run._token not in ("", ";"):
+    while run._first not in "\n;":
         run._skip_token()
         run._pass_blank()
 

@@ -22,9 +22,6 @@ from typing import NamedTuple
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
-_TOKEN = re.compile(r'([A-Z][A-Z0-9]*|[0-9]+|".|/.*|[^\t ])')
-_PART = 200
-"""Characters of a line of PAL8 that are read at once, to the next `;` or `>`."""
 _ITEM = re.compile(r"([A-Z0-9\f]*)(?:/[^\r]*)?([^A-Z0-9\f])")
 
 ENDS = frozenset("\r;")
@@ -53,7 +50,7 @@ class Source:
     def __init__(self, tapes: Sequence[bytes | str], modern: bool) -> None:
         texts = [characters(tape) for tape in tapes]
         self.shown = "".join(texts)
-        text = self.shown if self.shown.isascii() else _ascii(self.shown)
+        text = plain(self.shown)
         self._starts: list[int] = []
         start = 0
         for each in texts:
@@ -116,8 +113,9 @@ class Source:
         return Place(tape, number, self.shown[begin:end], start, after)
 
 
-def _ascii(text: str) -> str:
-    return text.encode("ascii", "replace").decode("ascii")
+def plain(text: str) -> str:
+    """Return a text with a `?` for each character that is not ASCII."""
+    return text if text.isascii() else text.encode("ascii", "replace").decode("ascii")
 
 
 def characters(tape: bytes | str) -> str:
@@ -161,20 +159,3 @@ def lines_of(tapes: Sequence[bytes | str]) -> list[Line]:
             texts.append(last)
         lines += [Line(tape, number, text) for number, text in enumerate(texts, 1)]
     return lines
-
-
-def tokens(text: str, start: int = 0, folds: bool = True) -> list[str]:
-    """Return blanks, token, blanks, token ... of a line of PAL8 from column `start` on, or of a part of it.
-
-    A token is a name, a number, `"` with its character, a comment to the line's end, or another single
-    character. The last tokens are empty. `folds` makes capitals of small letters.
-    """
-    end = len(text)
-    if end - start > _PART:
-        least = start + _PART
-        ends = [text.find(mark, least) + 1 or end for mark in (";", ">")]
-        end = min(ends)
-    code = text[start:end]
-    if folds:
-        code = (code if code.isascii() else _ascii(code)).upper()
-    return [*_TOKEN.split(code), "", "", ""]

@@ -3,9 +3,9 @@
 The listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
 """
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from pal import pal8, punch, symbols8
 from pal.assembler import Written
@@ -25,12 +25,10 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
-from pal.source import Place, lines_of, tokens
+from pal.source import Place, lines_of, plain
 from pal.symbols import SIGNIFICANT
 
-if TYPE_CHECKING:
-    pass
-
+_TOKEN = re.compile(r'[A-Z][A-Z0-9]*|".|/.*|[^\t ]')
 _PSEUDO = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
 _FIELDS = ("CDF", "CIF", "CDI")
 _INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.MARKS, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
@@ -77,7 +75,7 @@ class Work8:
         wrong = {self._run.places[problem.at][0] for problem in self.errors}
         for index in range(min(self._run.ended, len(self._lines))):
             if index not in wrong:
-                for token in tokens(self._lines[index].text):
+                for token in _TOKEN.findall(plain(self._lines[index].text).upper()):
                     if token[:1] in marks or token[:SIGNIFICANT] in names:
                         return True
         return False
@@ -114,31 +112,33 @@ class Work8:
         line = self._lines[index]
         return Place(line.tape, line.number, line.text, start, end)
 
-    @cached_property
-    def _rows(self) -> list[tuple[ListingLine, str]]:
-        """The listing with the mark of each word: all of a line at its first word, literals at the end."""
-        rows: list[tuple[ListingLine, str]] = []
-        literals: list[tuple[ListingLine, str]] = []
-        last = -1
+    def _rows(self) -> Iterator[tuple[Written | None, int, str]]:
+        """Yield word, line and text of the listing: a line stands at its first word, literals at the end."""
+        lines = self._lines
+        places = self._run.places
+        shown = 0  # lines so far
         for written in self._run.written:
-            index = self._run.places[written.at][0]
-            line = self._lines[index]
-            text = "" if written.literal or index == last else line.text
-            row = ListingLine(written.address, written.word, text, line.tape, line.number)
+            index = places[written.at][0]
             if written.literal:
-                literals.append((row, "  "))
                 continue
-            rows += [*self._without_word(last + 1, index), (row, "@ " if written.link else "  ")]
-            last = index
-        return [*rows, *self._without_word(last + 1, self._run.ended + 1), *literals]
-
-    def _without_word(self, first: int, after: int) -> list[tuple[ListingLine, str]]:
-        lines = self._lines[first:after]
-        return [(ListingLine(None, None, line.text, line.tape, line.number), "") for line in lines]
+            for number in range(shown, index):
+                yield None, number, lines[number].text
+            yield written, index, lines[index].text if shown <= index else ""
+            shown = index + 1
+        for number in range(shown, min(self._run.ended + 1, len(lines))):
+            yield None, number, lines[number].text
+        for written in self._run.written:
+            if written.literal:
+                yield written, places[written.at][0], ""
 
     def lines(self) -> list[ListingLine]:
         """Return the listing by statements; literals stand after the program, where they are put out."""
-        return [line for line, _ in self._rows]
+        rows = []
+        for written, index, text in self._rows():
+            line = self._lines[index]
+            address, word = (written.address, written.word) if written else (None, None)
+            rows.append(ListingLine(address, word, text, line.tape, line.number))
+        return rows
 
     def text(self, number: int) -> str:
         """Return the messages of pass 1 or 2 as they were typed, or the listing with the symbol table."""
@@ -146,11 +146,11 @@ class Work8:
             said = [said for said in self._run.complaints if said.number == number]
             return "".join(f"{one.code}  {one.location}\n" for one in said)
         listed = []
-        for line, mark in self._rows:
+        for written, _, text in self._rows():
             word = UNNUMBERED
-            if line.address is not None and line.word is not None:
-                word = f"{octal(line.address)}  {octal(line.word)}{mark}"
-            listed.append((word + line.source).rstrip())
+            if written is not None:
+                word = f"{octal(written.address)}  {octal(written.word)}{'@ ' if written.link else '  '}"
+            listed.append((word + text).rstrip())
         table = [f"{name:6}  {value:04o}" for name, value in self.symbols().items()]
         return "\n".join([*listed, "", *table, ""])
 
@@ -191,21 +191,19 @@ class Work8:
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
-        run = self._run
+        known = self._run.symbols
+        later = {name for name in symbols8.NOT_ON_THE_8L if name in known and not known[name].passed}
+        asked = {name for name in known if len(name) == SIGNIFICANT or name in later}
         notes = []
-        told: set[str] = set()
         longer = []
-        for mention in run.mentions:
+        for mention in [mention for mention in self._run.mentions if mention.name in asked]:
             name = mention.name
-            symbol = run.symbols.get(name)
-            if symbol is None or name in told:
-                continue
-            if not mention.defined and not symbol.passed and name in symbols8.NOT_ON_THE_8L:
-                told.add(name)
-                message = f"{name}, {symbol.value:04o}, is no instruction of a PDP-8/L"
-                notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
-            elif len(name) == SIGNIFICANT:
+            if len(name) == SIGNIFICANT:
                 longer.append((self._in_full(mention.at), mention.at))
+            elif name in later and not mention.defined:
+                later.discard(name)  # it is told once
+                message = f"{name}, {known[name].value:04o}, is no instruction of a PDP-8/L"
+                notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
         return [*notes, *self._on_undefined(), *of_names(longer, _INSTRUCTIONS)]
 
     def _on_undefined(self) -> list[Note]:
@@ -226,9 +224,9 @@ class Work8:
     def _of_fields(self) -> list[Note]:
         """Note the first change to a field beyond 0: without the MC8/L it does nothing."""
         for written in self._run.written:
-            field = written.word >> 3 & 7
-            if field and written.word & 0o7704 == 0o6200 and any(name in _FIELDS for name in written.names):
-                message = f"{written.word:04o} is for field {field}, which a PDP-8/L of 4K has not"
+            word = written.word
+            if word & 0o7704 == 0o6200 and word & 0o70 and any(name in _FIELDS for name in written.names):
+                message = f"{word:04o} is for field {word >> 3 & 7}, which a PDP-8/L of 4K has not"
                 return [Note(NOT_ON_8L, written.at, message, "without the MC8/L it does nothing")]
         return []
 
@@ -242,7 +240,7 @@ class Work8:
             if (
                 not small
                 and code != code.upper()
-                and any("a" <= each <= "z" for each in tokens(text, 0, False))
+                and any("a" <= each <= "z" for each in _TOKEN.findall(text))
             ):
                 small = True
                 message = "small letters are capitals here; DEC's PAL8 passes over them (IC)"

@@ -53,6 +53,15 @@ def test_decs_examples_have_decs_words_and_messages() -> None:
             assert bool(assembly.stopped) == (words == "NO TAPE")
 
 
+def test_what_is_no_ascii_is_illegal_in_decs_reading_too() -> None:
+    for character in "²é":
+        with case(character):
+            assert (
+                made(f"*200\n{character}\n$\n", exact=True).messages
+                == made("*200\n?\n$\n", exact=True).messages
+            )
+
+
 def test_the_model_agrees_with_decs_examples() -> None:
     for name, (source, words, messages) in DECS.items():
         with case(name):
