@@ -540,7 +540,7 @@ export const Fraction = (of, under = 1) => {
   return new Rational(BigInt(whole + part) * 10n ** (places > 0n ? places : 0n), 10n ** (places < 0n ? -places : 0n));
 };
 class Pattern extends RegExp {
-  findall(text) { return Array.from(text.matchAll(this), ([, ...parts]) => parts); }
+  findall(text) { return Array.from(text.matchAll(this), (found) => (found.length > 2 ? found.slice(1) : found.at(-1) ?? "")); }
   finditer(text) { return Array.from(text.matchAll(this), ({ 0: { length }, index }) => ({ start: () => index, end: () => index + length })); }
   split_(text) { return text.split(this); }
 }

@@ -353,7 +353,8 @@ def library() -> Any:
     points = [Point(2, 1), Point(1, 3)]
     return [
         [*pairwise([1, 2, 3])], 
-        [list(pair) for pair in pattern.findall("ab,c;")], [(m.start(), m.end()) for m in pattern.finditer("ab,c;")], pattern.split("ab,c;"),
+        [list(pair) for pair in pattern.findall("ab,c;")], re.compile(r"[a-z]+").findall("ab,c"), re.compile(r"([a-z])?[,;]").findall("ab,;"),
+        [(m.start(), m.end()) for m in pattern.finditer("ab,c;")], pattern.split("ab,c;"),
         bisect_left([1, 3, 5], 3), sorted(points, key=lambda point: point.x)[0].y, sorted([3, 1], reverse=True),
         [*zip("ab", [1, 2], strict=True)], [*enumerate("a", 3)], divmod(-7, 2), sqrt(3.0), min([4, 2]), sum([0.5, 1]),
         list(array("H", [1, 2])), getattr(points[0], "x"), abs(-2.5),
