@@ -274,13 +274,13 @@ class Machine:
                 return
 
     def _take_breakpoints(self) -> None:
-        """Let no turn of a loop be passed over that has a breakpoint in it or writes a watched word, nor one
+        """Let no turn of a loop be passed over that has a breakpoint in it or touches a watched word, nor one
         that its observer has never seen.
         """
         watch, waiting = self.watch, self.waiting
         if not watch.again:
             self._check_watched()
-            if watch.writes or self.processor.pc in watch.breakpoints:
+            if watch.writes or watch.reads or self.processor.pc in watch.breakpoints:
                 waiting.forget()
             if self._marks != waiting.marks or watch.observer is not self._observer:
                 waiting.forget()
@@ -289,7 +289,8 @@ class Machine:
 
     def _check_watched(self) -> None:
         """Raise ValueError for a breakpoint or a word to be watched that is no address."""
-        watched = frozenset(self.watch.breakpoints), frozenset(self.watch.writes)
+        watch = self.watch
+        watched = frozenset(watch.breakpoints), frozenset(watch.writes), frozenset(watch.reads)
         if watched == self._watched:
             return
         for places in watched:

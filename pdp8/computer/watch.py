@@ -1,12 +1,12 @@
 """What can be watched while a machine runs.
 
-Breakpoints at addresses, breakpoints on words being written, and an observer that is called after every
-memory cycle and for every wait that was passed over.
+Breakpoints at addresses, breakpoints on words being read or written, and an observer that is called after
+every memory cycle and for every wait that was passed over.
 """
 
 from typing import Protocol
 
-from pal.isa import DCA, DEFER, EXECUTE, ISZ, JMS, autoindexed
+from pal.isa import AND, DCA, DEFER, EXECUTE, ISZ, JMS, TAD, autoindexed
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import INTERRUPT
 
@@ -33,19 +33,26 @@ class Watch:
         """Addresses before whose instruction a run stops, and after a JMS to them."""
         self.writes: set[int] = set()
         """Addresses of words after whose writing a run stops."""
+        self.reads: set[int] = set()
+        """Addresses of words after whose reading a run stops, as operands or pointers."""
         self.observer: Observer | None = None
         self.reached = False
-        """Set when the last instruction wrote one of them, or was a JMS to a breakpoint."""
+        """Set when the last instruction wrote or read one of them, or was a JMS to a breakpoint."""
+        self.written: set[int] = set()
+        self.read: set[int] = set()
+        """Which of the words watched the last instruction wrote, and which it read."""
 
     def each_cycle(self) -> bool:
         """Tell whether every cycle has to be looked at; breakpoints alone do not need it."""
-        return bool(self.writes or self.observer)
+        return bool(self.writes or self.reads or self.observer)
 
     def instruction(self, processor: Processor) -> None:
         """Run one instruction, or the cycle of an interrupt, and look at each of its cycles; SING STEP may be
         thrown in one.
         """
         self.reached = False
+        self.written.clear()
+        self.read.clear()
         self.cycle(processor)
         while processor.next in (DEFER, EXECUTE) and not processor.sing_step:
             self.cycle(processor)
@@ -59,7 +66,12 @@ class Watch:
         interrupt = processor.next == INTERRUPT
         processor.cycle()
         if wrote(processor):
-            self.reached |= processor.ma in self.writes or self.called(processor)
+            self.reached |= self.called(processor)
+            if processor.ma in self.writes:
+                self.written.add(processor.ma)
+        if processor.ma in self.reads and read(processor):
+            self.read.add(processor.ma)
+        self.reached |= bool(self.written or self.read)
         if self.observer:
             self.observer.cycle(processor, interrupt)
 
@@ -69,6 +81,13 @@ def wrote(processor: Processor) -> bool:
     if processor.state == EXECUTE:
         return processor.ir in (ISZ, DCA, JMS) and not processor.protect
     return processor.state == DEFER and autoindexed(processor.ma)
+
+
+def read(processor: Processor) -> bool:
+    """Tell from the lamps whether the last cycle read the word at MA, as an operand or a pointer."""
+    if processor.state == EXECUTE:
+        return processor.ir in (AND, TAD, ISZ)
+    return processor.state == DEFER
 
 
 def instruction_at(processor: Processor) -> int:

@@ -1,8 +1,9 @@
-"""Where a run is to stop: before the instructions of lines, of addresses, after words are written.
+"""Where a run is to stop: before the instructions of lines, of addresses, after words are read or written.
 
 A breakpoint at a line without a word goes to the next that has one. One at an address is a function
 breakpoint to the editor: its name is an octal address or a symbol. One with a condition, a count of hits or a
-log message is looked at when the run comes to it; a log message is said, and the run goes on.
+log message is looked at when the run comes to it; a log message is said, and the run goes on. On the way back
+it is where the run stopped, or would have: a hit that was counted keeps its number.
 
 What the editor asked for is kept. When a program is loaded again, its breakpoints are placed again and keep
 their numbers.
@@ -10,12 +11,13 @@ their numbers.
 
 import operator
 import re
+from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 
-from pal.isa import EXECUTE, JMS, autoindexed
+from pal.isa import EXECUTE, JMS
 from pdp8.computer.machine import Machine
-from pdp8.computer.watch import wrote
+from pdp8.computer.watch import Watch
 from pdp8.dap import expressions
 from pdp8.dap.places import Places, place, reference
 from pdp8.dap.wire import Body
@@ -25,6 +27,9 @@ from tapes.errors import WorkError
 LINES, ADDRESSES = "breakpoint", "function breakpoint"
 INSTRUCTIONS, DATA = "instruction breakpoint", "data breakpoint"
 """Kinds of breakpoints, by the reason that the protocol has for a stop at one."""
+READ = ("read", "readWrite")
+WRITE = ("write", "readWrite")
+"""Accesses that a data breakpoint may be for, as the protocol calls them."""
 _COMPARED = {"==": operator.eq, ">": operator.gt, ">=": operator.ge, "<": operator.lt, "<=": operator.le}
 _HITS = re.compile(r"\s*(==|>=|<=|>|<|%)?\s*([0-9]+)\s*")
 
@@ -41,13 +46,15 @@ class Point:
         self.address: int | None = None
         self.line: int | None = None
         self.why = ""
-        self.hits = 0
+        self._hits: list[int] = []
+        """The instructions at which it was hit, if they are counted."""
         self._condition: expressions.Value | None = None
         self._log: Callable[[], str] | None = None
 
     def place(self, monitor: Monitor, places: Places) -> None:
         """Find the place of the breakpoint in the program that is loaded."""
         self.address, self.why, self.line, self._condition = None, "", None, None
+        self._hits.clear()
         try:
             if self.asked.get("condition"):
                 self._condition = expressions.read(self.asked["condition"], monitor)
@@ -70,9 +77,14 @@ class Point:
         elif self.kind == INSTRUCTIONS:
             self.address = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
         else:
+            if self.kind == DATA and self.access not in READ + WRITE:
+                raise WorkError(f"{self.access}: a word is watched for read, write or readWrite")
             self.address = monitor.address(self.asked["name" if self.kind == ADDRESSES else "dataId"])
-            if self.kind == DATA and self.asked.get("accessType", "write") != "write":
-                raise WorkError(f"{self.asked['accessType']}: words are watched for writing alone")
+
+    @property
+    def access(self) -> str:
+        """Return what a data breakpoint stops for."""
+        return str(self.asked.get("accessType") or "write")
 
     def described(self, places: Places) -> Body:
         """Return the protocol's Breakpoint."""
@@ -83,23 +95,33 @@ class Point:
             return body | {"message": self.why}
         return body | {"instructionReference": reference(self.address)}
 
-    def stops(self, say: list[str]) -> bool:
-        """Tell whether the run that has come to it stops; one with a log message says it instead."""
-        if self._condition is not None and not self._condition():
-            return False
-        self.hits += 1
-        if not _reached(self.asked.get("hitCondition") or "", self.hits):
+    def stops(self, now: int, say: list[str]) -> bool:
+        """Tell whether the run that has come to it, after `now` instructions, stops; a log message is said
+        instead.
+        """
+        if self.asked.get("hitCondition") and (self._condition is None or self._condition()):
+            self._hits[bisect_left(self._hits, now) :] = [now]
+        if not self._met(now):
             return False
         if self.asked.get("logMessage"):
             say.append(self._log() if self._log else "")
             return False
         return True
 
+    def stopped(self, now: int) -> bool:
+        """Tell whether a run that came to it `now` has stopped there, or would have."""
+        return not self.asked.get("logMessage") and self._met(now)
+
+    def _met(self, now: int) -> bool:
+        if hits := self.asked.get("hitCondition"):
+            number = bisect_left(self._hits, now)
+            return now in self._hits[number : number + 1] and _reached(hits, number + 1)
+        return self._condition is None or bool(self._condition())
+
 
 def _reached(wanted: str, hits: int) -> bool:
     found = _HITS.fullmatch(wanted)
-    if found is None:
-        return True
+    assert found is not None, "it was placed"
     sign, number = found[1] or "==", int(found[2])
     if sign == "%":
         return number > 0 and hits % number == 0
@@ -143,27 +165,29 @@ class Breakpoints:
         moved = []
         for point in self:
             was = point.described(places)
-            point.hits = 0
             point.place(monitor, places)
             if point.described(places) != was:
                 moved.append(point.described(places))
         return moved
 
-    @property
-    def code(self) -> set[int]:
-        """The addresses of the instructions before which a run stops."""
-        return {point.address for point in self if point.kind != DATA and point.address is not None}
+    def put_into(self, watch: Watch) -> None:
+        """Let a watch stop a run at these alone."""
+        placed = [(point, point.address) for point in self if point.address is not None]
+        watch.breakpoints = {address for point, address in placed if point.kind != DATA}
+        watch.writes = {address for point, address in placed if point.kind == DATA and point.access in WRITE}
+        watch.reads = {address for point, address in placed if point.kind == DATA and point.access in READ}
 
-    @property
-    def data(self) -> set[int]:
-        """The addresses of the words after whose writing a run stops."""
-        return {point.address for point in self if point.kind == DATA and point.address is not None}
+    def stopped(self, machine: Machine) -> list[Point]:
+        """Return those at which a run to where a machine stands has stopped, or would have."""
+        return [point for point in self.hit(machine) if point.stopped(machine.instructions)]
 
     def hit(self, machine: Machine) -> list[Point]:
         """Return the breakpoints that a machine stands at, whatever their conditions."""
-        p = machine.processor
+        p, watch = machine.processor, machine.watch
         places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
-        written = set[int]()
-        if machine.watch.reached:
-            written = {p.ma} & self.data if wrote(p) else set(filter(autoindexed, self.data))
-        return [point for point in self if point.address in (written if point.kind == DATA else places)]
+        touched = {"write": watch.written, "read": watch.read, "readWrite": watch.written | watch.read}
+        return [
+            point
+            for point in self
+            if point.address in (touched.get(point.access, ()) if point.kind == DATA else places)
+        ]

@@ -12,6 +12,7 @@ from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import HistoryError
 from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.watch import Watch
 from pdp8.dap import motion
 from pdp8.dap.breakpoints import DATA, Breakpoints, Point
 from pdp8.dap.launch import Launch
@@ -87,7 +88,8 @@ class Debuggee:
         machine = self.monitor.machine
         points = Breakpoints() if self.launch.noDebug else self.breakpoints
         goal = self._goal.places(machine) if self._goal else set()
-        machine.watch.breakpoints, machine.watch.writes = points.code | goal, points.data
+        points.put_into(machine.watch)
+        machine.watch.breakpoints |= goal
         self._slices = slices(self.monitor, LONGEST)
 
     def pause(self) -> None:
@@ -125,11 +127,16 @@ class Debuggee:
 
     def back_to(self, look: motion.Look) -> Halt:
         """Undo as far as the last breakpoint, else all; `look` as in rewind.until_stopped."""
-        points = self.breakpoints
-        if not motion.back_to(self.monitor.history, points.code, points.data, look):
+        points, machine, watched = self.breakpoints, self.monitor.machine, Watch()
+        points.put_into(watched)
+
+        def stops() -> bool:
+            return bool(points.stopped(machine))
+
+        if not motion.back_to(self.monitor.history, watched, stops, look):
             return Halt("entry", "here the history begins")
-        halt = self.stands()
-        return halt if halt.breakpoints else Halt(DATA)
+        code = [point for point in points.stopped(machine) if point.kind != DATA]
+        return _at(code) if code else Halt(DATA)
 
     def stands(self) -> Halt:
         """Return how the machine stands: at a breakpoint, after HLT, or as after a pause."""
@@ -145,7 +152,11 @@ class Debuggee:
         self._slices = None
         machine = self.monitor.machine
         if stop.reason is Reason.BREAKPOINT:
-            points = [point for point in self.breakpoints.hit(machine) if point.stops(self.said)]
+            points = [
+                point
+                for point in self.breakpoints.hit(machine)
+                if point.stops(machine.instructions, self.said)
+            ]
             if points and not self.launch.noDebug:
                 return _at(points)
             if self._goal is not None and self._goal.reached(machine):

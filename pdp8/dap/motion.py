@@ -14,6 +14,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Stop
+from pdp8.computer.watch import Watch
 from pdp8.dap.calls import ARGUMENTS, frames
 from tapes.errors import WorkError
 
@@ -67,13 +68,12 @@ def out(machine: Machine) -> Goal:
     return Goal(entry)
 
 
-def back_to(history: History, code: set[int], writes: set[int], look: Look | None = None) -> bool:
-    """Undo as far as the last stop at one of the addresses `code`, or before one of `writes`; else all.
-
-    Returns whether there was one; `look` as in rewind.until_stopped.
-    """
+def back_to(
+    history: History, watched: Watch, stops: Callable[[], bool] | None = None, look: Look | None = None
+) -> bool:
+    """Undo as far as the last stop, as rewind.until_stopped does; else all. Returns whether there was one."""
     try:
-        rewind.until_stopped(history, code, writes, "no breakpoint was come to", look)
+        rewind.until_stopped(history, watched, "no breakpoint was come to", stops, look)
     except HistoryError:
         rewind.instructions(history, history.instructions)
         return False

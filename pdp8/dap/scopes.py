@@ -3,8 +3,8 @@
 Registers and switches are set as by the monitor. A symbol of the program shows the word that stands there. A
 device, and each of its parts, shows the fields of its saved state (see computer/hardware/fields.py).
 
-A line at the debug console is a register, a symbol or an address, whose word is shown; anything else is a
-command of the monitor. At a hover or in the list of watched expressions it is the former alone.
+A line at the debug console is a register, a symbol or an address, whose word is shown, or an expression;
+anything else is a command of the monitor. At a hover or in the list of watched expressions it is none.
 """
 
 from collections.abc import Callable, Iterator
@@ -109,7 +109,11 @@ def data_info(room: Debuggee, arguments: Body) -> Body:
         address = room.monitor.address(name)
     except WorkError as error:
         return {"dataId": None, "description": str(error)}
-    return {"dataId": f"{address:04o}", "description": f"{name}, {address:04o}", "accessTypes": ["write"]}
+    return {
+        "dataId": f"{address:04o}",
+        "description": f"{name}, {address:04o}",
+        "accessTypes": ["write", "read", "readWrite"],
+    }
 
 
 def evaluate(room: Debuggee, arguments: Body) -> Body:
@@ -117,13 +121,12 @@ def evaluate(room: Debuggee, arguments: Body) -> Body:
     line = arguments["expression"].strip()
     named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
     at_console = arguments.get("context") == "repl"
-    try:
-        if not (at_console and named):
+    if not (at_console and named):
+        try:
             return {"variablesReference": 0, **_value_of(room.monitor, line)}
-    except MonitorError:
-        if not at_console:
-            value = expressions.read(line, room.monitor)()
-            return {"variablesReference": 0, "result": f"{value:04o}"}
+        except MonitorError:
+            if not at_console:
+                raise
     do(room.monitor, line)
     said = "\n".join(room.said)
     room.said.clear()
@@ -178,13 +181,16 @@ def completions(room: Debuggee, arguments: Body) -> Body:
 
 
 def _value_of(monitor: Monitor, expression: str) -> Body:
-    """Return what a register holds, or the word at an address. Raises MonitorError."""
+    """Return what a register holds, the word at an address, or what an expression is. Raises MonitorError."""
     name = hands.register(expression)
     if name in hands.REGISTERS:
         return {"result": _register(monitor.machine, name)}
     if not name:
         raise MonitorError("a register, a symbol or an address expected")
-    address = monitor.address(expression)
+    try:
+        address = monitor.address(expression)
+    except MonitorError:
+        return {"result": f"{expressions.read(expression, monitor)():04o}"}
     line = monitor.listing.line(address, monitor.machine.core[address])
     return {"result": line, "memoryReference": reference(address)}
 

@@ -47,7 +47,7 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "setBreakpoints": scopes.set_lines,
     "setFunctionBreakpoints": scopes.setting(ADDRESSES, "name"),
     "setInstructionBreakpoints": scopes.setting(INSTRUCTIONS, "instructionReference", "offset"),
-    "setDataBreakpoints": scopes.setting(DATA, "dataId"),
+    "setDataBreakpoints": scopes.setting(DATA, "dataId", "accessType"),
     "dataBreakpointInfo": scopes.data_info,
     "setExceptionBreakpoints": lambda room, arguments: {},
     "stackTrace": scopes.stack_trace,

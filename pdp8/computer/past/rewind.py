@@ -67,35 +67,41 @@ def blocks(history: History, count: int = 1) -> None:
 
 def until_left(history: History, address: int) -> None:
     """Undo as far as before `address` was last executed, or after the last JMS to it."""
-    until_stopped(history, {address}, set(), f"nothing was executed at {address:04o}")
+    watched = Watch()
+    watched.breakpoints.add(address)
+    until_stopped(history, watched, f"nothing was executed at {address:04o}")
 
 
 def until_written(history: History, address: int) -> None:
     """Undo as far as before the last instruction that wrote the word at `address`."""
-    until_stopped(history, set(), {address}, f"nothing was written at {address:04o}")
+    watched = Watch()
+    watched.writes.add(address)
+    until_stopped(history, watched, f"nothing was written at {address:04o}")
 
 
 def until_stopped(
     history: History,
-    breakpoints: set[int],
-    writes: set[int],
+    watched: Watch,
     otherwise: str,
+    stops: Callable[[], bool] | None = None,
     look: Callable[[float], None] | None = None,
 ) -> None:
-    """Undo as far as the last of what `until_left` and `until_written` go to, for any of these addresses.
+    """Undo as far as the last of what `until_left` and `until_written` go to, for anything that is `watched`.
 
-    `look` is called as the search goes on, with the part of the history that it has searched, 0 to 1; if it
-    raises, the search ends and the machine stands where it stood.
+    `stops` is asked where a run would have stopped, and tells whether that counts. `look` is called as the
+    search goes on, with the part of the history that it has searched, 0 to 1; if it raises, the search ends
+    and the machine stands where it stood.
     """
 
     def step(machine: Machine, clock: int) -> list[int]:
         watch = machine.watch
-        watch.breakpoints = breakpoints
-        watch.writes = writes
+        watch.breakpoints, watch.writes, watch.reads = watched.breakpoints, watched.writes, watched.reads
+        watch.written.clear()
+        watch.read.clear()
         found: list[int] = []
-        if machine.pc in breakpoints and machine.processor.next == FETCH:
+        if machine.pc in watch.breakpoints and machine.processor.next == FETCH and (not stops or stops()):
             found.append(machine.instructions)
-        if _run_to(machine, clock) is Reason.BREAKPOINT:
+        if _run_to(machine, clock) is Reason.BREAKPOINT and (not stops or stops()):
             if watch.called(machine.processor):
                 found.append(machine.instructions)
             elif watch.reached:

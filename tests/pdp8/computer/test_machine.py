@@ -49,13 +49,40 @@ def test_what_is_no_word_and_no_address_is_refused_where_a_hand_sets_it() -> Non
             call(*given)
     assert m.core[0o200:0o202] == [0o5200, 0]
     places: Any
-    for places in (m.watch.breakpoints, m.watch.writes):
+    for places in (m.watch.breakpoints, m.watch.writes, m.watch.reads):
         for place in ("0200", 0o10000, -1):
             places.add(place)
             with pytest.raises(ValueError, match="a breakpoint "):
                 m.run(instructions=1)
             places.clear()
     assert m.run(instructions=1).reason == "limit"
+
+
+@pytest.mark.parametrize(
+    ("word", "written", "read"),
+    [
+        ("0210", set(), {0o210}),  # AND 210
+        ("1210", set(), {0o210}),  # TAD 210
+        ("2210", {0o210}, {0o210}),  # ISZ 210
+        ("3210", {0o210}, set()),  # DCA 210
+        ("4210", {0o210}, set()),  # JMS 210
+        ("5210", set(), set()),  # JMP 210
+        ("1611", set(), {0o210, 0o211}),  # TAD I 211
+        ("3611", {0o210}, {0o211}),  # DCA I 211
+        ("5611", set(), {0o211}),  # JMP I 211
+        ("3410", {0o10, 0o210}, {0o10}),  # DCA I 10, which counts on to 210
+        ("7200", set(), set()),  # CLA
+    ],
+)
+def test_what_an_instruction_reads_and_writes(word: str, written: set[int], read: set[int]) -> None:
+    """An operand and a pointer are read; the instruction itself, at 200, is not."""
+    watched = {0o10, 0o200, 0o210, 0o211}
+    m = machine(word)
+    m.load({0o10: 0o207, 0o210: 0o7000, 0o211: 0o210})
+    m.watch.reads = m.watch.writes = watched
+    reason = m.run(instructions=2).reason
+    assert (m.watch.written, m.watch.read) == (written, read)
+    assert reason == ("breakpoint" if written or read else "limit")
 
 
 def test_all_is_0_at_power_up_but_few_things_and_initialize_leaves_it_so() -> None:

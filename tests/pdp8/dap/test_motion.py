@@ -8,6 +8,7 @@ import pytest
 from pdp8 import shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
+from pdp8.computer.watch import Watch
 from pdp8.dap import calls, motion
 
 FOLDER = Path(__file__).parent
@@ -65,18 +66,19 @@ def test_an_interrupt_is_stepped_into_and_over() -> None:
 def test_back_goes_through_the_stops_of_the_way_out() -> None:
     machine = machine_with("pointed.pal")
     history = History(machine)
-    breakpoints, writes = {0o201, 0o202, 0o203}, {0o10, 0o207}
+    watched = Watch()
+    watched.breakpoints, watched.writes = {0o201, 0o202, 0o203}, {0o10, 0o207}
     forwards = set()
     for number in range(100):
-        here, before = machine.pc, [machine.core[address] for address in sorted(writes)]
+        here, before = machine.pc, [machine.core[address] for address in sorted(watched.writes)]
         if here in (0o201, 0o202):
             forwards.add(number)
         machine.run(instructions=1)
         if here == 0o201:  # JMS 203
             forwards.add(number + 1)
-        if [machine.core[address] for address in sorted(writes)] != before:
+        if [machine.core[address] for address in sorted(watched.writes)] != before:
             forwards.add(number)
     backwards = []
-    while motion.back_to(history, breakpoints, writes):
+    while motion.back_to(history, watched):
         backwards.append(machine.instructions)
     assert backwards == sorted(forwards, reverse=True)

@@ -102,6 +102,74 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
     assert pc["body"]["result"] == "0203"
 
 
+@pytest.mark.parametrize(
+    ("access", "stood"),
+    [
+        ("read", ["0201 [1, 2]", "0203 [1]", "0204 [1]"]),
+        ("write", ["0202 [1]", "0203 [1]", "0202 [1]"]),
+        ("readWrite", ["0201 [1, 2]", "0202 [1]", "0203 [1]"]),
+    ],
+)
+def test_a_word_is_watched_for_what_was_asked(access: str, stood: list[str], folder: Path) -> None:
+    """TAD I P reads P, then W; DCA writes W; ISZ reads and writes it; AND reads it. Back the same way."""
+    (folder / "counts.pal").write_text(
+        "*200\n\tTAD I P\n\tDCA W\n\tISZ W\n\tAND W\n\tJMP 200\nP,\tW\nW,\t1\n$\n"
+    )
+    points = [{"dataId": name, "accessType": access} for name in ("W", "P")]
+    go = (["continue", {"threadId": 1}, "stopped"], console("PC"))
+    back = (["reverseContinue", {"threadId": 1}, "stopped"], console("PC"))
+    asked = ["setDataBreakpoints", {"breakpoints": points}]
+    seen = play(folder, *launched({"program": "counts.pal"}, asked), *go * 3, *back * 3)
+    events = [answer["event"] for answer in seen.answers[-12::2]]
+    assert {event["reason"] for event in events} == {"data breakpoint"}
+    places = [answer["body"]["result"] for answer in seen.answers[-11::2]]
+    assert [
+        f"{place} {event['hitBreakpointIds']}" for place, event in zip(places, events[:3], strict=False)
+    ] == stood
+    before = {"0201": "0200", "0202": "0201", "0203": "0202", "0204": "0203"}
+    assert places[3:] == [before[place[:4]] for place in reversed(stood)], (
+        "before the instruction, going back"
+    )
+
+
+def test_an_instruction_that_writes_two_words_stops_for_both(folder: Path) -> None:
+    """DCA I 10 counts 0010 in DEFER and writes 0300 in EXECUTE."""
+    (folder / "counts.pal").write_text("*10\n\t277\n*200\n\tDCA I 10\n\tHLT\n$\n")
+    points = [{"dataId": place, "accessType": "write"} for place in ("10", "300")]
+    asked = ["setDataBreakpoints", {"breakpoints": points}]
+    seen = play(folder, *launched({"program": "counts.pal"}, asked), ["continue", {"threadId": 1}, "stopped"])
+    assert seen.answers[-1]["event"]["hitBreakpointIds"] == [1, 2]
+
+
+def test_a_word_is_watched_for_nothing_else(folder: Path) -> None:
+    asked = ["setDataBreakpoints", {"breakpoints": [{"dataId": "N", "accessType": "execute"}]}]
+    answer = play(folder, *launched({"program": "counts.pal"}, asked)).answers[2]
+    assert (
+        answer["body"]["breakpoints"][0]["message"]
+        == "execute: a word is watched for read, write or readWrite"
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "stood"),
+    [
+        ({"condition": "M > 7774"}, ["7777", "7776", "7775"]),
+        ({"hitCondition": "% 5"}, ["7776", "7771", "7764"]),
+        ({"logMessage": "M is {M}"}, []),
+    ],
+)
+def test_the_way_back_stops_where_the_run_did(words: dict[str, str], stood: list[str], folder: Path) -> None:
+    """ISZ M is come to 16 times before the HLT."""
+    go = [["continue", {"threadId": 1}, "stopped"]] * (len(stood) + 1)
+    back = (["reverseContinue", {"threadId": 1}, "stopped"], console("core[M]"))
+    asked = lines({"line": 3, **words})
+    seen = play(folder, *launched({"program": "counts.pal"}, asked), *go, *back * (len(stood) + 1))
+    answers = seen.answers[-2 * len(stood) - 3 :]
+    reasons = [answer["event"]["reason"] for answer in (answers[0], *answers[1::2])]
+    assert reasons == ["halt", *["breakpoint"] * len(stood), "entry"]
+    assert [answer["body"]["result"] for answer in answers[2::2]] == [*stood, "7760"]
+
+
 EDITED = "*200\n\tCLA\n" + COUNTS.removeprefix("*200\n")
 
 
