@@ -11,7 +11,7 @@ from nc.inspection import Inspection, Reading
 from nc.listing import place
 from nc.path import Path, Position
 from tapes.hydrapoint import POSITIONING_SPEED
-from tapes.measure import inches
+from tapes.quantities import inches
 
 THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
 """The test circle of Chapter 7: 4 in across, 1/2 in cutter."""

@@ -17,7 +17,7 @@ from nc.curves import Floats
 from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
 from nc.inspection import Inspection, runs
 from tapes.errors import WorkError
-from tapes.measure import inches
+from tapes.quantities import inches
 
 _MAGNIFICATIONS = (100, 50, 20, 10, 5, 2, 1)
 _ROOM = 260.0

@@ -15,7 +15,7 @@ from nc.drawing import FAINT, GRID, INK, Sheet, polyline, round_step, signed
 from nc.inspection import Inspection, runs
 from nc.talyrond import COLOURS
 from tapes.errors import WorkError
-from tapes.measure import inches
+from tapes.quantities import inches
 
 _LEFT, _WIDTH, _HEIGHT = 80.0, 660.0, 200.0
 DIVISION = 10.0

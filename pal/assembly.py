@@ -110,7 +110,7 @@ class Assembly:
 
     def __repr__(self) -> str:
         """Return what it is in one line: the source tapes, the dialect, how many words and errors."""
-        from tapes.measure import counted
+        from tapes.quantities import counted
 
         errors = sum(diagnostic.error for diagnostic in self.diagnostics)
         said = f"{counted(len(self.words), 'words')}, {counted(errors, 'errors')}"

@@ -6,24 +6,26 @@ has not, or where a line of it that is right can be PAL8's alone and PAL8 has no
 A character that PAL III has not shows at once that a source is not clean there: then PAL8 is tried first.
 """
 
+import re
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
-from pal import symbols
 from pal.assembly import PAL3, PAL8, SPELLED, Assembly
 from pal.notes import DIALECT, NOTE, Note
 from pal.source import characters
-from pal.symbols import SIGNIFICANT
-from pal.symbols8 import PSEUDO_OPERATORS
-from pal.work3 import Work3
-from pal.work8 import Work8
+
+if TYPE_CHECKING:
+    from pal.work3 import Work3
+    from pal.work8 import Work8
 
 TAKEN = "taken for PAL8: it has what PAL III has not"
 
 _MARKS = set('(["<&^%')
-_NAMES = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS if name not in symbols.PSEUDO_OPERATORS}
+_MARK_OR_END = re.compile(r'\r(?:[^/\r(["<&^%]*[(["<&^%]|\$)')
+"""Behind the end of a line: the first of the marks in the next line's code, or a `$` that begins it."""
 
-_Work3 = Callable[[], Work3]
-_Work8 = Callable[[], Work8]
+_Work3 = Callable[[], "Work3"]
+_Work8 = Callable[[], "Work8"]
 
 
 def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pal8: _Work8) -> Assembly:
@@ -41,24 +43,32 @@ def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pa
     said = work3.messages()
     if work8.ok and any(message[:2] in ("IC", "UA") for message in said):
         return _as_pal8(names, work8)
-    if work8.takes(_MARKS, _NAMES) and len(work8.errors) <= len(said):
+    if _is_pal8s(work8) and len(work8.errors) <= len(said):
         return _as_pal8(names, work8)
     return _told(Assembly(PAL3, names, work3), work3, work8)
 
 
-def _as_pal8(names: Sequence[str], work: Work8) -> Assembly:
+def _is_pal8s(work: "Work8") -> bool:
+    from pal import symbols
+    from pal.symbols8 import PSEUDO_OPERATORS
+
+    names = [name for name in PSEUDO_OPERATORS if name not in symbols.PSEUDO_OPERATORS]
+    return work.takes(_MARKS, {name[: symbols.SIGNIFICANT] for name in names})
+
+
+def _as_pal8(names: Sequence[str], work: "Work8") -> Assembly:
     assembly = Assembly(PAL8, names, work)
     advice = "--dialect pal8 says so, --dialect pal3 keeps to PAL III"
     assembly.noted.append((NOTE, Note(DIALECT, work.first(), TAKEN, advice), ""))
     return assembly
 
 
-def told(assembly: Assembly, work: Work3 | Work8, other: _Work3 | _Work8) -> Assembly:
+def told(assembly: Assembly, work: "Work3 | Work8", other: _Work3 | _Work8) -> Assembly:
     """Return an assembly in the dialect that was asked for, with a note if `other` alone has no error."""
     return assembly if assembly.ok else _told(assembly, work, other())
 
 
-def _told(assembly: Assembly, work: Work3 | Work8, other: Work3 | Work8) -> Assembly:
+def _told(assembly: Assembly, work: "Work3 | Work8", other: "Work3 | Work8") -> Assembly:
     if other.ok:
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
         message = f"in {SPELLED[dialect]} this has no error: --dialect {dialect}"
@@ -69,10 +79,7 @@ def _told(assembly: Assembly, work: Work3 | Work8, other: Work3 | Work8) -> Asse
 def _is_beyond_pal3(sources: Sequence[str | bytes]) -> bool:
     """Tell whether a character in the code of a source is none of PAL III's."""
     for source in sources:
-        for line in characters(source).split("\r"):
-            code = line.partition("/")[0]
-            if any(mark in code for mark in _MARKS):
-                return True
-            if code[:1] == "$":
-                return False
+        first: list[str] = _MARK_OR_END.findall("\r" + characters(source))[:1]
+        if first:
+            return first[0][-1:] != "$"
     return False

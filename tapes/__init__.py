@@ -14,6 +14,7 @@ photograph  photographs of tape become frames
 redundancy  what a tape says of its own frames
 notebook    a tape that a notebook draws
 measure     what can be said of a tape: its length, time, lines, checksum
+quantities  counts, times, lengths and addresses as they are said
 convert     from one code to another
 utf16       text that is no tape
 expression  y = f(x) as a command takes it

@@ -16,7 +16,7 @@ from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
 from pdp8.cli.shared.progress import Busy
 from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, called, naming, visible
-from tapes.measure import counted
+from tapes.quantities import counted
 
 _TEXT = Target("text")
 _PASSES = ("pass1", "pass2", "pass3")

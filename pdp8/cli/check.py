@@ -31,7 +31,7 @@ from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Result
 from tapes.errors import WorkError
-from tapes.measure import counted
+from tapes.quantities import counted
 
 _SHOWN = ("task", "solution")
 _BYTE_ORDER_MARK = "\ufeff"

@@ -447,7 +447,7 @@ def _boot(options: Options, machine: Machine, found: "Program") -> None:
     """Load the program as an operator does, saying what it took."""
     from pdp8.computer.use.operator import Operator
     from tapes import rim
-    from tapes.measure import duration
+    from tapes.quantities import duration
 
     if options.loader is None:
         tape = rim.encode(shelf.bundled_program("bin.pal").words)
@@ -465,7 +465,7 @@ def _boot(options: Options, machine: Machine, found: "Program") -> None:
 
 def _counts(machine: Machine, read: int) -> str:
     """Say what was read and punched, and the time of 1971."""
-    from tapes.measure import counted, duration
+    from tapes.quantities import counted, duration
 
     parts = [(read, len(machine.teletype.punch.frames), "")]
     if machine.highspeed.fitted:

@@ -30,7 +30,7 @@ from pdp8.console.strips import PunchStrip, ReaderStrip
 from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
 from pdp8.lessons.drill import Coach
 from tapes.errors import WorkError
-from tapes.measure import duration
+from tapes.quantities import duration
 
 TURN = 0.05  # seconds between two looks
 SMALLEST = (80, 24)

@@ -15,7 +15,8 @@ from textual.widgets import Input, Label, OptionList
 from pdp8 import shelf
 from pdp8.console.session import Tape
 from tapes.errors import WorkError
-from tapes.measure import counted, length
+from tapes.measure import length
+from tapes.quantities import counted
 
 _LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
 

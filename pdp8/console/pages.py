@@ -19,7 +19,7 @@ from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session
 from pdp8.lessons.drill import Coach
-from tapes.measure import duration
+from tapes.quantities import duration
 
 _INK = Style(color="#2d2618")
 _BRIGHT = Style(color="#ffe9c4")

@@ -24,7 +24,7 @@ from pdp8.monitor.arguments import MonitorError, command, octal
 from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
-from tapes.measure import counted
+from tapes.quantities import counted
 
 REGISTERS, LAMPS, SYMBOLS, DEVICES = 1, 2, 3, 4
 """References of the scopes."""

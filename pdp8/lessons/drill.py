@@ -15,7 +15,7 @@ from typing import NamedTuple
 from pdp8.computer.hardware.fields import changed
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
-from tapes.measure import counted, duration
+from tapes.quantities import counted, duration
 
 LEFT_ALONE = 60.0
 """Seconds without a key or a switch after which a kiosk begins again."""

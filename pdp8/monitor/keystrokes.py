@@ -15,7 +15,7 @@ from pdp8.computer.use.keys import sent
 from pdp8.monitor.arguments import FRAME, MonitorError, Quoted, some
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import GLANCE, slices, text_of
-from tapes.measure import counted
+from tapes.quantities import counted
 
 _PATIENCE = 60.0
 """Seconds of machine time that a key waits to be asked for."""

@@ -17,7 +17,7 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
 from pdp8.monitor.hands import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
-from tapes.measure import counted
+from tapes.quantities import counted
 
 _SLICE = 0.5
 GLANCE = 0.05

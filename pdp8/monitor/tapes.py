@@ -12,7 +12,7 @@ from tapes import kinds
 from tapes import rim as rim_format
 from tapes.errors import naming
 from tapes.frames import has_leader
-from tapes.measure import counted
+from tapes.quantities import counted
 
 _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
 

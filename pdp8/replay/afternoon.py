@@ -9,7 +9,7 @@ from pdp8 import shelf
 from pdp8.replay.day import PROGRAMS, Act, Day, Judgement
 from programs.parts import find
 from tapes.errors import WorkError
-from tapes.measure import inches
+from tapes.quantities import inches
 
 
 class Afternoon(Day):

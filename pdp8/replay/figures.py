@@ -8,7 +8,7 @@ from pdp8.replay.implied import SLOWEST, machined
 from programs import circle
 from programs.thesis import THESIS, Thesis
 from tapes.hydrapoint import FEED_TOLERANCE, Preparatory
-from tapes.measure import inches
+from tapes.quantities import inches
 
 if TYPE_CHECKING:
     from pdp8.replay.afternoon import Afternoon

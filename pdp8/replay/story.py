@@ -7,7 +7,7 @@ sentence says so.
 from typing import Final, NamedTuple
 
 from pdp8.replay.afternoon import Afternoon
-from tapes.measure import inches
+from tapes.quantities import inches
 
 _MADE: Final = {
     "circle": "a circle",

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from pal.assembling import FOUND, assemble
 from pal.assembly import MOST, Assembly
 from pal.diagnostics import Diagnostic
-from tapes.measure import counted
+from tapes.quantities import counted
 
 
 class Said(NamedTuple):

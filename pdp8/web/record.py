@@ -33,7 +33,7 @@ from pdp8.replay.story import story
 from pdp8.web import parts
 from programs.parts import PARTS
 from tapes import rim
-from tapes.measure import inches
+from tapes.quantities import inches
 
 _OPENS_WITH = "hello.pal"
 _USUAL = "circle"

@@ -18,7 +18,7 @@ from programs import circle
 from programs.ellipse import part as ellipse
 from tapes import ascii
 from tapes.hydrapoint import XY_FEED
-from tapes.measure import inches
+from tapes.quantities import inches
 from tests.pdp8.thesis import scanned
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tapes import ascii, binary, eia, measure, rim
+from tapes import ascii, binary, eia, measure, quantities, rim
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 
 BLOCKS = "0010000000000003588\n0029030000350000189\n"
@@ -108,15 +108,15 @@ def test_a_report(tape: bytes) -> None:
     [
         (measure.length, 119, "11.9 in"),
         (measure.length, 120, "1 ft 0.0 in"),
-        (measure.inches, 0, ".0000"),
-        (measure.inches, 1250, "1.2500"),
-        (measure.inches, 10_500.04, "10.5000"),
-        (measure.inches, -4.6, "-.0046"),
-        (measure.inches, -0.01, "-.0000"),
-        (measure.duration, 59.94, "59.9 s"),
-        (measure.duration, 60, "1 min 0.0 s"),
-        (measure.duration, 3599.96, "1 h 0 min 0.0 s"),
-        (measure.duration, 3723, "1 h 2 min 3.0 s"),
+        (quantities.inches, 0, ".0000"),
+        (quantities.inches, 1250, "1.2500"),
+        (quantities.inches, 10_500.04, "10.5000"),
+        (quantities.inches, -4.6, "-.0046"),
+        (quantities.inches, -0.01, "-.0000"),
+        (quantities.duration, 59.94, "59.9 s"),
+        (quantities.duration, 60, "1 min 0.0 s"),
+        (quantities.duration, 3599.96, "1 h 0 min 0.0 s"),
+        (quantities.duration, 3723, "1 h 2 min 3.0 s"),
     ],
 )
 def test_quantities_in_words_and_as_on_drawings(

@@ -161,7 +161,7 @@ class _Silence:
         if frames != self._frames:
             self._frames, self._since = frames, now
         elif now > self._since + _SILENT:
-            from tapes.measure import duration
+            from tapes.quantities import duration
 
             self._wanted = False
             command.say(

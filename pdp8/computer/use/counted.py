@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pdp8.computer.count import Count
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.trace import Listing
-from tapes.measure import duration, ranges
+from tapes.quantities import duration, ranges
 
 _COLUMN = 12
 

@@ -22,7 +22,7 @@ from pdp8.computer.stop import Reason, Stop
 from tapes import binary, kinds, rim
 from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER, label_after
-from tapes.measure import counted, duration
+from tapes.quantities import counted, duration
 
 RIM_START = 0o7756
 BIN_START = 0o7777

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 from tapes import kinds
 from tapes.errors import TapeError, WorkError, called, naming
-from tapes.measure import counted, left_out
+from tapes.measure import left_out
+from tapes.quantities import counted
 
 if TYPE_CHECKING:
     from pal import Assembly

@@ -22,7 +22,7 @@ from pdp8.thesis.making import Made, make
 from pdp8.thesis.supplied import marked
 from programs import fluidic
 from tapes import eia
-from tapes.measure import inches
+from tapes.quantities import inches
 
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = [item for item in catalogue() if item.maker and item.kind == "figure"]
