@@ -29,6 +29,9 @@ STOPPED = "PS01"
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in range(0x20) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
 
+_FAR = "go through a pointer on this page, with I"
+_NEGATIVE = "a negative number is referred to by a tag, as in M5, -5"
+
 _WIDTH = 100
 """Characters of a line that are shown."""
 
@@ -102,6 +105,10 @@ def of_pal3(
             continue
         small |= lower
         advice = _ADVICE[message.code](subject, message.location)
+        if message.code == "UA":
+            advice += _definition(source, subject)
+        elif message.code == "IR" and source.items[at + 1 : at + 2] == [("", "-")]:
+            advice = advice.replace(_FAR, _NEGATIVE)
         if subject == "0277":
             mark = source.spans[message.at][1]
             advice = advice.replace("?", source.shown[mark : mark + 1])
@@ -150,8 +157,17 @@ def _reference(source: Source, end: int) -> int:
 
 def _undefined(name: str, location: int) -> str:
     value = f"{location | ADDRESS:04o}"
-    where = "the last address of its page"
-    return f"undefined: {name} is taken as {value}, {where}; define it with {name}, or {name}="
+    return f"undefined: {name} is taken as {value}, the last address of its page; "
+
+
+def _definition(source: Source, name: str) -> str:
+    """Return how an undefined symbol is defined; where its tag lacks a comma, say so."""
+    at = source.bare_tag(name)
+    if at is None:
+        return f"define it with {name}, or {name}="
+    if source.items[at + 1][0] == "EQU":
+        return f"PAL III has no EQU: in line {source.place(at).line} write {name}="
+    return f"if it is the tag of line {source.place(at).line}, write {name}, there"
 
 
 def _illegal(code: str, location: int) -> str:
@@ -175,7 +191,7 @@ def _beyond(address: str, location: int) -> str:
     low = int(address, 8) & ADDRESS
     return (
         f"illegal reference: {address} is neither on page zero nor on the page of {location:04o}; "
-        f"{page | low:04o} is used; go through a pointer on this page, with I"
+        f"{page | low:04o} is used; {_FAR}"
     )
 
 

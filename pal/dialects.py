@@ -18,6 +18,7 @@ _UNKNOWN = {
     "NOPUNC": "PAL III punches everything",
     "ENPUNC": "PAL III punches everything",
     "RELOC": "PAL III assembles for where the words are loaded",
+    "EQU": "PAL III has =",
     "FILENA": "PAL III knows nothing of files",
     "DEVICE": "PAL III knows nothing of files",
     "DTORG": "PAL III knows nothing of DECtape blocks",

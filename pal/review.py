@@ -77,7 +77,8 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
             if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
                 notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
                 continue
-            others.append((entry.name, entry.at, source.begun(entry.at)))
+            if source.bare_tag(entry.name) is None:
+                others.append((entry.name, entry.at, source.begun(entry.at)))
     return notes + of_undefined(others, [*known, *_INSTRUCTIONS])
 
 

@@ -19,6 +19,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from pal.symbols import SIGNIFICANT
 from tapes.frames import PARITIES
 
 _PASSED_OVER = bytes((0o000, 0o200, 0o177, 0o377, 0o212))
@@ -92,6 +93,16 @@ class Source:
         statement = range(self.begun(end), end + 1)
         symbols = (at for at in statement if self.items[at][0][:1].isalpha() and self.items[at][1] != ",")
         return next(symbols, end)
+
+    def bare_tag(self, name: str) -> int | None:
+        """Return the item that may be the tag `name` without its comma: it begins a line that goes on."""
+        items = self.items
+        for at in [0, *(end + 1 for end in self.line_ends)]:
+            if at + 1 < len(items):
+                item, mark = items[at]
+                if item[:SIGNIFICANT] == name and mark in " \t" and items[at + 1][0]:
+                    return at
+        return None
 
     def place(self, at: int) -> Place:
         """Return where item `at` stands; for an empty one, the character that ends it."""

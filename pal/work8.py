@@ -207,19 +207,18 @@ class Work8:
         return [*notes, *self._on_undefined(), *of_names(longer, _INSTRUCTIONS)]
 
     def _on_undefined(self) -> list[Note]:
-        told: set[str] = set()
+        told = {self._named(error) for error in self.errors if "if it is a tag" in error.advice}
         places = []
         for error in self.errors:
-            name = self._in_full(error.at)[:SIGNIFICANT] if error.code == "US" else ""
-            if (
-                name
-                and name not in told
-                and name not in symbols8.ELSEWHERE
-                and "if it is a tag" not in error.advice
-            ):
+            name = self._named(error)
+            if name and name not in told and name not in symbols8.ELSEWHERE:
                 told.add(name)
                 places.append((name, error.at, self._statement(error.at)))
         return of_undefined(places, [*self.symbols(), *_INSTRUCTIONS])
+
+    def _named(self, error: Note) -> str:
+        """Return the name that is undefined, as far as it counts; "" of another error."""
+        return self._in_full(error.at)[:SIGNIFICANT] if error.code == "US" else ""
 
     def _of_fields(self) -> list[Note]:
         """Note the first change to a field beyond 0: without the MC8/L it does nothing."""
