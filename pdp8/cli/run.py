@@ -288,6 +288,11 @@ def _machine(options: Options, found: "Program | None") -> Machine:
             machine.load(found.words)
         if options.force or not options.quiet:
             command.say_of(found.name, found.notes)
+        if options.start not in found.words and not options.quiet:
+            from tapes.quantities import ranges
+
+            has = f"it has {ranges(found.words)}, and --start says where to begin"
+            command.say_of(found.name, [f"no word at {options.start:04o}, where it is started; {has}"])
     return machine
 
 

@@ -29,8 +29,11 @@ class Quoted(str):
 
 
 def command(line: str) -> tuple[str, str]:
-    """Return the name of a command, "" for none, and what stands after it."""
+    """Return the name of a command, "" for none, and what stands after it; a line that begins with ; is a
+    comment, as at SIMH.
+    """
     name, *_ = line.partition("#")[0].split() or ("",)
+    name = "" if name.startswith(";") else name
     return name, line.lstrip()[len(name) :]
 
 

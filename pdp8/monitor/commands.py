@@ -12,6 +12,16 @@ from pdp8.monitor.prompt import Monitor
 
 _SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
 """Names that are the beginning of several and mean one."""
+_AT_SIMH = {
+    "attach": "reader TAPE puts a tape in, punch FILE takes one off",
+    "detach": "reader none takes the tape out, punch FILE takes one off",
+    "evaluate": "examine says a word of core with its instruction",
+    "get": "restore FILE",
+    "nobreak": "forget",
+    "reset": "go A starts from a reset",
+    "show": "registers, break, watch and examine say what is so",
+}
+"""What stands here for a command of SIMH's, which may be shortened to three letters."""
 
 
 class Command(NamedTuple):
@@ -105,6 +115,8 @@ def find(word: str) -> Command:
         raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
     near = [name for name in COMMANDS if word.startswith(name)] or get_close_matches(word, COMMANDS, 1, 0.8)
     meant = f"did you mean {near[0]}?" if near else "help tells which there are"
+    at_simh = [ours for name, ours in _AT_SIMH.items() if len(word) > 2 and name.startswith(word)]
+    meant = f"it is SIMH's; here {at_simh[0]}" if at_simh else meant
     raise MonitorError(f"{word!r}: no such command; {meant}")
 
 

@@ -23,8 +23,8 @@ _WHOLE_CORE = ("0:7777",)
 def examine(monitor: Monitor, place: str, *more: str) -> None:
     """Say words of core, each with its line of the listing, or a register."""
     for each in (place, *more):
-        if each.lower() in REGISTERS and each.upper() not in monitor.listing.symbols:
-            monitor.say(f"{each.upper()} {getattr(monitor.machine, each.lower()):04o}")
+        if is_register(monitor, each):
+            monitor.say(f"{each.upper()} {getattr(monitor.machine, register(each)):04o}")
             continue
         for address in monitor.range(each):
             monitor.say(monitor.listing.line(address, monitor.machine.core[address]))
@@ -32,6 +32,8 @@ def examine(monitor: Monitor, place: str, *more: str) -> None:
 
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     """Put words into core from A on, or one word into all of A:B."""
+    if is_register(monitor, place):
+        raise MonitorError(f"{place}: a register; `set {place} {word}` sets it")
     addresses, words = monitor.range(place), [octal(each) for each in (word, *more)]
     if len(addresses) > 1 and more:
         raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
@@ -62,6 +64,11 @@ def set_(monitor: Monitor, name: str, value: str) -> None:
 def register(name: str) -> str:
     """Return a register's whole name."""
     return {"l": "link"}.get(name.lower(), name.lower())
+
+
+def is_register(monitor: Monitor, name: str) -> bool:
+    """Tell whether a name is a register's, and no symbol's of the program."""
+    return register(name) in REGISTERS and name.upper() not in monitor.listing.symbols
 
 
 def registers(monitor: Monitor) -> None:
