@@ -53,7 +53,8 @@ class Point:
 
     def place(self, monitor: Monitor, places: Places) -> None:
         """Find the place of the breakpoint in the program that is loaded."""
-        self.address, self.why, self.line, self._condition = None, "", None, None
+        self.address, self.why, self._condition = None, "", None
+        self.line = self.asked["line"] if self.kind == LINES else None
         self._hits.clear()
         try:
             if self.asked.get("condition"):
@@ -67,7 +68,6 @@ class Point:
 
     def _find(self, monitor: Monitor, places: Places) -> None:
         if self.kind == LINES:
-            self.line = self.asked["line"]
             if not places.is_of(self.asked["source"]):
                 raise WorkError(f"the program that runs is {places.name}")
             found = places.first_from(self.asked["source"], self.asked["line"])

@@ -6,6 +6,7 @@ and the editor asks for it.
 
 import os
 from operator import itemgetter
+from urllib.parse import unquote, urlsplit
 
 from pdp8 import shelf
 from pdp8.computer.use.program import Program
@@ -67,12 +68,15 @@ class Places:
         return {"source": self._sources[tape], "line": line, "column": 1}
 
     def _tape(self, source: Body) -> int | None:
-        """Return which tape the editor speaks of, None for another file."""
+        """Return which tape the editor speaks of, None for another file; by path or URI."""
+        path = str(source.get("path", ""))
+        if path.startswith("file://"):
+            path = unquote(urlsplit(path).path)
         for tape, own in enumerate(self._sources):
             if source.get("sourceReference"):
                 if source["sourceReference"] == own.get("sourceReference"):
                     return tape
-            elif os.path.realpath(str(source.get("path", ""))) == own.get("path"):
+            elif os.path.realpath(path) == own.get("path"):
                 return tape
         return None
 

@@ -66,7 +66,7 @@ def test_a_run_stops_where_the_condition_holds(words: dict[str, str], m: str, fo
 def test_what_cannot_be_looked_at_is_not_verified(words: dict[str, str], said: str, folder: Path) -> None:
     seen = play(folder, *launched({"program": "counts.pal"}, lines({"line": 3, **words})))
     (point,) = seen.answers[2]["body"]["breakpoints"]
-    assert (point["verified"], said in point["message"]) == (False, True), point
+    assert (point["verified"], point["line"], said in point["message"]) == (False, 3, True), point
 
 
 def test_a_log_message_is_said_and_the_run_goes_on(folder: Path) -> None:
@@ -87,7 +87,7 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
         ["setExpression", {"expression": "AC", "value": "77777"}],
         ["completions", {"text": "exa", "column": 4}],
         ["completions", {"text": "examine L", "column": 10}],
-        ["gotoTargets", {"source": SOURCE, "line": 4}],
+        ["gotoTargets", {"source": {"path": (folder / "counts.pal").as_uri()}, "line": 4}],
         ["goto", {"threadId": 1, "targetId": 0o203}, "stopped"],
         console("PC"),
     )
