@@ -73,9 +73,10 @@ class Session:
         self._room: Debuggee | None = None
         self._breakpoints = Breakpoints()
         self._first_line = 1
-        self._runs = self._ended = self._works = self._paused = self._reports = False
-        """Whether the editor was told that the machine runs; whether it has left; whether a request is being
-        carried out that may take long, and whether the editor would pause that; whether it shows progress.
+        self._runs = self._finished = self._ended = self._works = self._paused = self._reports = False
+        """Whether the editor was told that the machine runs, and that the program has ended; whether it has
+        left; whether a request is being carried out that may take long, and whether the editor would pause
+        that; whether it shows progress.
         """
         self._waits = ""
         """What was said of the program's waiting in this run."""
@@ -187,7 +188,7 @@ class Session:
         return dict.fromkeys(_CAPABILITIES, True)
 
     def _load(self, launch: Launch) -> None:
-        self._room = Debuggee(launch, self._breakpoints, self._first_line)
+        self._room, self._finished = Debuggee(launch, self._breakpoints, self._first_line), False
 
     def _launch(self, arguments: Body) -> None:
         self._load(Launch.of(arguments))
@@ -212,8 +213,10 @@ class Session:
         if self._room is not None:
             self._take_off(self._room)
             self._tell(self._room)
-        self._wire.event("exited", exitCode=0)
-        self._wire.event("terminated")
+        if not self._finished:  # an editor may answer `terminated` with another request to terminate
+            self._finished = True
+            self._wire.event("exited", exitCode=0)
+            self._wire.event("terminated")
 
     def _disconnect(self, arguments: Body) -> None:
         self._runs, self._ended = False, True

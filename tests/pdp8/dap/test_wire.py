@@ -64,6 +64,18 @@ def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPat
     assert [each["success"] for each in rest] == [True]
 
 
+def test_a_session_ends_once(tmp_path: Path) -> None:
+    """Emacs's dape answers `terminated` with `terminate`."""
+    launch = {"program": "hello.pal", "stopOnEntry": True}
+    asked = [("launch", launch), ("terminate", {}), ("terminate", {}), ("restart", {}), ("terminate", {})]
+    sent = framed(*({"type": "request", "command": name, "arguments": given} for name, given in asked))
+    out = BytesIO()
+    Session(BytesIO(sent), out).serve()
+    told = [each.get("command") or each["event"] for each in spoken(out.getvalue())]
+    ended = ["terminate", "exited", "terminated"]
+    assert [each for each in told if each in ended] == [*ended, "terminate", *ended]
+
+
 def test_every_request_is_answered(tmp_path: Path) -> None:
     (tmp_path / "far.pal").write_text("*200\n\tJMP 400\n$\n")
     (tmp_path / "halt.pal").write_text("*200\nSTART,\tHLT\n$\n")
