@@ -46,6 +46,8 @@ class Point:
         self.address: int | None = None
         self.line: int | None = None
         self.why = ""
+        self.text: list[str] = []
+        """The lines of its source when it was asked for."""
         self._hits: list[int] = []
         """The instructions at which it was hit, if they are counted."""
         self._condition: expressions.Value | None = None
@@ -65,6 +67,13 @@ class Point:
             self._find(monitor, places)
         except WorkError as error:
             self.why = str(error)
+
+    def follow(self, places: Places) -> None:
+        """Go with its line where an edit took it: an editor that moved it there does not say so."""
+        if self.kind == LINES and self.text:
+            self.key = places.went(self.asked["source"], self.asked["line"], self.text)
+            self.asked = {**self.asked, "line": self.key}
+            self.text = places.text(self.asked["source"])
 
     def _find(self, monitor: Monitor, places: Places) -> None:
         if self.kind == LINES:
@@ -157,6 +166,7 @@ class Breakpoints:
             if key not in points:
                 points[key] = Point(before.get(key) or next(self._numbers), kind, key, words)
                 points[key].place(monitor, places)
+                points[key].text = places.text(words["source"]) if kind == LINES else []
         self._set[kind, source] = list(points.values())
         return [points[key].described(places) for key, _ in asked]
 
@@ -165,6 +175,7 @@ class Breakpoints:
         moved = []
         for point in self:
             was = point.described(places)
+            point.follow(places)
             point.place(monitor, places)
             if point.described(places) != was:
                 moved.append(point.described(places))

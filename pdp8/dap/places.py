@@ -5,9 +5,12 @@ and the editor asks for it.
 """
 
 import os
+from collections.abc import Sequence
+from difflib import SequenceMatcher
 from operator import itemgetter
 from urllib.parse import unquote, urlsplit
 
+from pal.text import Text
 from pdp8 import shelf
 from pdp8.computer.use.program import Program
 from pdp8.dap.wire import Body
@@ -47,6 +50,7 @@ class Places:
     def __init__(self, program: Program, first: int = 1) -> None:
         self.listing = listing = program.listing
         self.name = program.name
+        self._first = first
         self._paths = [os.path.realpath(shelf.find(name)) for name in program.names]
         self._times = self._stamps()
         self._sources: list[Body] = [{"name": os.path.basename(path), "path": path} for path in self._paths]
@@ -94,6 +98,23 @@ class Places:
         tape = self._tape(source)
         found = ((at, number) for at, (of, number) in self.lines.items() if of == tape and number >= line)
         return min(found, key=itemgetter(1), default=None)
+
+    def text(self, source: Body) -> list[str]:
+        """Return the lines of a source as its file has them now; of another file, or a listing, none."""
+        path = self.source_of(source).get("path")
+        if not self.is_of(source) or path is None or not os.path.exists(path):
+            return []
+        with open(path, "rb") as file:
+            return Text(file.read().decode("utf-8", "replace")).lines
+
+    def went(self, source: Body, line: int, before: Sequence[str]) -> int:
+        """Return where a line is since its source was edited; of one that was changed, what replaced it."""
+        at = line - self._first
+        edits = SequenceMatcher(None, before, self.text(source)).get_opcodes()
+        for _, first, last, start, end in edits:
+            if first <= at < last:
+                return start + min(at - first, max(end - start - 1, 0)) + self._first
+        return line
 
     def changed(self) -> list[str]:
         """Return the names of the sources that another program has written since they were last looked at."""

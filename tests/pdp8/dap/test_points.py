@@ -176,8 +176,8 @@ EDITED = "*200\n\tCLA\n" + COUNTS.removeprefix("*200\n")
 def test_after_an_edit_breakpoints_go_where_their_names_went(folder: Path) -> None:
     """Restart loads the program as it is now, one line and one word longer."""
     points = (
-        lines({"line": 4}),
         ["setFunctionBreakpoints", {"breakpoints": [{"name": "M"}, {"name": "NIX"}]}],
+        lines({"line": 4}),
         ["setDataBreakpoints", {"breakpoints": [{"dataId": "N"}]}],
     )
     begun = play(folder, *launched({"program": "counts.pal"}, *points))
@@ -188,16 +188,38 @@ def test_after_an_edit_breakpoints_go_where_their_names_went(folder: Path) -> No
         *launched({"program": "counts.pal"}, *points),
         ["edit", edit],
         ["restart", {}, "breakpoint"],
-        *points,
+        points[0],
+        lines({"line": 5}),
+        points[2],
         ["continue", {"threadId": 1}, "stopped"],
     )
     moved = seen.answers[-5]["event"]["breakpoint"]
     after = [point for answer in seen.answers[-4:-1] for point in answer["body"]["breakpoints"]]
     assert [point["id"] for point in after] == [point["id"] for point in before]
-    assert [point.get("instructionReference") for point in before] == ["0x0104", "0x010a", None, "0x0108"]
-    assert [point.get("instructionReference") for point in after] == ["0x0104", "0x010c", None, "0x010a"]
-    assert (moved["id"], moved["instructionReference"]) == (2, "0x010c")
-    assert seen.answers[-1]["event"]["hitBreakpointIds"] == [1, 4], "after ISZ N, before line 4"
+    assert [point.get("instructionReference") for point in before] == ["0x010a", None, "0x0104", "0x0108"]
+    assert [point.get("instructionReference") for point in after] == ["0x010c", None, "0x0106", "0x010a"]
+    assert (moved["id"], moved["instructionReference"]) == (1, "0x010c")
+    assert seen.answers[-1]["event"]["hitBreakpointIds"] == [4], "after ISZ N"
+
+
+def test_after_an_edit_a_breakpoint_goes_where_its_line_went(folder: Path) -> None:
+    """Neovim and Emacs move it in their windows, and do not set it again."""
+    edit = f"import pathlib; pathlib.Path('counts.pal').write_text({EDITED.replace('JMP L', 'JMP  L')!r})"
+    seen = play(
+        folder,
+        *launched({"program": "counts.pal"}, lines({"line": 4}, {"line": 5})),
+        ["edit", edit],
+        ["restart", {}, "breakpoint"],
+        ["threads", {}],
+        ["continue", {"threadId": 1}, "stopped"],
+        ["stackTrace", {"threadId": 1}],
+        lines({"line": 5}, {"line": 6}),
+    )
+    moved, _, stopped, stack, again = seen.answers[-5:]
+    assert (moved["event"]["breakpoint"]["id"], moved["event"]["breakpoint"]["line"]) == (1, 5)
+    assert stopped["event"]["hitBreakpointIds"] == [1]
+    assert stack["body"]["stackFrames"][0]["line"] == 5
+    assert [point["id"] for point in again["body"]["breakpoints"]] == [1, 2]
 
 
 def test_a_source_that_changes_under_the_session_is_said(folder: Path) -> None:
