@@ -1,6 +1,6 @@
 """What an editor offers to mend a diagnostic with: the advice that it carries, as edits of the source.
 
-TAD NIX         undefined: NIX       "Define NIX": the line `NIX,  0` before the $
+TAD NIX         undefined: NIX       "Define NIX": the line `NIX,  0` on this page
 START  CLA      undefined: START     "Write START, as a tag"
 JMP FAR         illegal reference    "Go through a pointer": `JMP I PFAR`, and the line `PFAR,  FAR`
 TAD 18          18 has an 8          "Write 22, octal for 18"
@@ -18,6 +18,7 @@ from pal.pieces import NAME, NUMBER, comment, pieces
 _UNDEFINED = ("UA", "US")
 _ILLEGAL_REFERENCE = "IR"
 _MEANT = re.compile(r"did you mean ([A-Z0-9 ]+)\?")
+_ORIGIN = re.compile(r"[ \t]*(?:[*$]|(?:PAGE|FIELD)\b(?![ \t]*[,=]))")
 _LONGEST = 5
 """Characters of a name behind the P of its pointer."""
 
@@ -39,7 +40,7 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
     if found.code in _UNDEFINED and name[:1].isalpha():
         if span.start == 0 and text[span.end :][:1] in (" ", "\t"):
             yield Fix(f"Write {name}, as a tag", [(behind, ",")])
-        yield Fix(f"Define {name}", [(_before(document, tape, "$"), f"{name},\t0\n")])
+        yield Fix(f"Define {name}", [(_end_of_page(document, span), f"{name},\t0\n")])
     elif found.code == MEANT and (meant := _MEANT.search(found.message)):
         yield Fix(f"Write {meant[1]}", [(span, meant[1])])
     elif found.code == NOT_OCTAL and name.isdecimal():
@@ -56,7 +57,7 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
 
 
 def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
-    """Yield the reference through a word of this page: before the next origin, or the $."""
+    """Yield the reference through a word of this page."""
     text = document.line(span.tape, span.line)
     statement = text[: comment(text, document.dialect)]
     end = statement.find(";", span.end) if ";" in statement[span.end :] else len(statement)
@@ -67,17 +68,14 @@ def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
     pointer = f"P{operand[:_LONGEST].upper()}"
     if pointer not in document.assembly.symbols:
         place = span._replace(start=operands[0].start, end=operands[0].end)
-        word = _before(document, span.tape, "*$", span.line)
+        word = _end_of_page(document, span)
         yield Fix(
             f"Go through a pointer, {pointer}", [(place, f"I {pointer}"), (word, f"{pointer},\t{operand}\n")]
         )
 
 
-def _before(document: Document, tape: int, signs: str, after: int = -1) -> Span:
-    """Return the place before the first line behind `after` that begins with one of `signs`, else the end."""
-    lines = document.tapes[tape]
-    ends = (
-        number for number in range(after + 1, len(lines)) if lines[number].lstrip(" \t")[:1] in tuple(signs)
-    )
-    line = next(ends, len(lines) - 1)
-    return Span(tape, line, 0, 0)
+def _end_of_page(document: Document, span: Span) -> Span:
+    """Return where words of this page end: before the next origin, or the $, else the end."""
+    lines = document.tapes[span.tape]
+    ends = (number for number in range(span.line + 1, len(lines)) if _ORIGIN.match(lines[number]))
+    return Span(span.tape, next(ends, len(lines) - 1), 0, 0)
