@@ -109,6 +109,10 @@ def find(name: str) -> str:
         return name
     if name in _bundled:
         return _bundled[name]
+    try:
+        os.getcwd()
+    except FileNotFoundError:
+        raise ShelfError(f"{name}: the current folder is no longer there") from None
     raise ShelfError(f"{name}: no such file, here or among the bundled ones ({', '.join(bundled())})")
 
 

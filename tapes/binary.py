@@ -29,6 +29,7 @@ from tapes.frames import (
     LEADER,
     LEAST_LEADER,
     RUBOUT,
+    check_word,
     find_leader,
     label_after,
     label_before,
@@ -104,7 +105,7 @@ def encode(words: Mapping[int, int]) -> bytes:
     """Punch `words`, {address: word}, in one section: ascending, an origin before each run, fields other than
     0 named.
 
-    Raises TapeError for an address outside 0-77777.
+    Raises TapeError for an address outside 0-77777, a word outside 0-7777.
     """
     body = bytearray()
     summed = 0
@@ -121,6 +122,7 @@ def encode(words: Mapping[int, int]) -> bytes:
             start = origin(address)
             summed += sum(start)
             body += start
+        check_word(address, words[address])
         frames = word(words[address])
         summed += sum(frames)
         body += frames

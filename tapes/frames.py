@@ -132,6 +132,12 @@ def label_after(frames: bytes, labels: tuple[range, ...]) -> range | None:
     return labels[-1] if labels and labels[-1].stop == len(frames) else None
 
 
+def check_word(address: int, word: int) -> None:
+    """Raise TapeError if `word` is none of 12 bits."""
+    if not 0 <= word <= 0o7777:
+        raise TapeError(f"{address:04o}: {word:o} (octal) is no word; 0000 to 7777 are")
+
+
 def find_leader(frames: bytes) -> int:
     """Return `leader_start`. Raises TapeError: an empty tape, nothing but blank tape, another frame than
     200.

@@ -21,16 +21,27 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, LEAST_LEADER, find_leader, label_before, leader, paper_end, skip
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    check_word,
+    find_leader,
+    label_before,
+    leader,
+    paper_end,
+    skip,
+)
 
 
 def encode(words: Mapping[int, int]) -> bytes:
-    """Punch `words`, {address: word}, ascending. Raises TapeError for an address outside 0-7777."""
+    """Punch `words`, {address: word}, ascending. Raises TapeError for an address or a word outside 0-7777."""
     body = bytearray()
     for address in sorted(words):
         if not 0 <= address <= 0o7777:
             raise TapeError(f"address {address:o}: a RIM tape can name only 0000 to 7777")
         word = words[address]
+        check_word(address, word)
         body += bytes((0o100 | address >> 6, address & 0o77, word >> 6 & 0o77, word & 0o77))
     return leader() + bytes(body) + leader()
 

@@ -1,6 +1,7 @@
 """Files found, read, and written whole or not at all."""
 
 import os
+import sys
 import zipfile
 from pathlib import Path
 from unittest.mock import Mock
@@ -119,3 +120,12 @@ def test_what_cannot_be_read_or_written_is_named() -> None:
         shelf.check_writable("/tmp")
     with pytest.raises(ShelfError, match="File name too long"):
         shelf.open_punch("x" * 300)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a folder in use cannot go there")
+def test_a_current_folder_that_is_gone_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    with pytest.raises(ShelfError, match=r"x\.pal: the current folder is no longer there"):
+        shelf.find("x.pal")

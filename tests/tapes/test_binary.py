@@ -56,10 +56,13 @@ def test_what_is_punched_is_read(words: dict[int, int]) -> None:
     assert not words or rim.decode(rim.encode(words)) == words
 
 
-def test_words_are_masked_and_addresses_are_not() -> None:
-    assert binary.encode({0: -1}) == binary.encode({0: 0o7777})
+def test_no_address_and_no_word_out_of_range_is_punched() -> None:
     with pytest.raises(TapeError, match="address 100000"):
         binary.encode({0o100000: 0})
+    for code in (binary, rim):
+        for word in (-1, 0o10000):
+            with pytest.raises(TapeError, match=f"0200: {word:o} .octal. is no word; 0000 to 7777 are"):
+                code.encode({0o200: word})
 
 
 def test_what_stands_between_rubouts_is_not_read() -> None:
