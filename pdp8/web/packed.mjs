@@ -3,7 +3,8 @@
 /** What `text` holds. Throws where it is damaged. */
 export async function unpacked(text) {
   const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
-  const data = Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  const data = new Uint8Array(binary.length);
+  for (let at = 0; at < data.length; at++) data[at] = binary.charCodeAt(at);
   return JSON.parse(await through(new DecompressionStream("deflate-raw"), data, "text"));
 }
 

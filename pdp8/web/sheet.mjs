@@ -56,9 +56,9 @@ export class Drawing {
     }).observe(element);
   }
 
-  /** Let `draw(width, height)` say what is in it, unless `key` says that it would be the same. */
+  /** Let `draw(width, height)` say what is in it, unless `key` says that it would be the same, or nobody sees it. */
   draw(key, draw) {
-    if (this.key === key || !this.width || !this.height) return;
+    if (this.key === key || !this.width || !this.height || !this.element.checkVisibility({ visibilityProperty: true })) return;
     this.show(draw);
     this.key = key;
   }

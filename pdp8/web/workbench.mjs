@@ -57,6 +57,7 @@ class Bench {
     this.machine = new Machine(true);
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
+    this.texts = null; // the bundled tapes as a state has them, once they are asked for
     this.until = new Goal();
     this.remember();
     this.apart = new Apart();
@@ -285,7 +286,8 @@ class Bench {
   /** The bundled tapes, frame by frame as a saved state has them. */
   #bundled() {
     const written = (frames) => Array.from(frames, (frame) => octal(frame, 3)).join(" ");
-    return new Map(Object.keys(this.record.tapes).map((name) => [name, written(this.shelf.get(name).frames)]));
+    this.texts ??= new Map(Object.keys(this.record.tapes).map((name) => [name, written(this.shelf.get(name).frames)]));
+    return this.texts;
   }
 
   /** A state whose bundled tapes go by their names, with these. */

@@ -31,7 +31,10 @@ export function rove(row) {
   const controls = [...row.querySelectorAll("button")];
   const at = () => Math.max(0, controls.findIndex((control) => control.tabIndex === 0 && !control.disabled));
   const choose = (chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));
-  choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
+  new ResizeObserver(() => {
+    if (!controls[at()].checkVisibility()) choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
+  }).observe(row);
+  choose(0);
   row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target.closest("button")))));
   row.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];

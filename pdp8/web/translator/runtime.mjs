@@ -139,6 +139,10 @@ give(String, {
   encode(coding = "utf-8", errors = "strict") {
     if (coding === "utf-8") return Bytes.from(new TextEncoder().encode(this));
     const most = coding === "ascii" ? 127 : 255;
+    const made = new Bytes(this.length);
+    let fits = true;
+    for (let at = 0; at < made.length; at++) fits = (made[at] = this.charCodeAt(at)) <= most && fits;
+    if (fits) return made;
     const codes = Array.from(this, ord);
     if (errors === "strict" && codes.some((code) => code > most)) throw new ValueError(coding);
     return Bytes.from(codes, (code) => (code > most ? 63 : code));
