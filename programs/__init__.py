@@ -11,7 +11,7 @@ ellipse          Appendix D, the same
 polynomial       the third degree polynomial of Chapters 6 and 7
 slope            a slope, Chapter 3's by default
 curve            any function of x
-profile          a closed profile: the radius as a function of the angle
+profile          a closed profile: the radius as a function of the angle, or points
 die              the steel die: ellipses of three sets of axes
 drill            the four-hole tape of Chapter 3
 drawn            a curve drawn by hand, in the pages
@@ -30,6 +30,7 @@ header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
 format           FORMAT fields
 constants        a part's keywords as a command or a form asks for them
+points           points of a file: measured ones, or an outline
 least_squares    a function from measured points
 mirror           the other hand of a part
 program          what a part program is

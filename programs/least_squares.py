@@ -8,7 +8,6 @@ Source: thesis, Chapter 6.
 """
 
 from collections.abc import Sequence
-from math import isfinite
 from typing import NamedTuple
 
 from tapes.errors import WorkError
@@ -40,28 +39,6 @@ def fit(points: Points, degree: int) -> Fit:
     polynomial = Polynomial.fit(x, y, degree).convert()
     worst = max(abs(float(polynomial(place)) - height) for place, height in points)
     return Fit(_expression([float(coefficient) for coefficient in polynomial.coef]), worst)
-
-
-def read(text: str) -> list[tuple[float, float]]:
-    """Return the points of a text, x and y on each line; # begins a comment.
-
-    Raises WorkError, naming the line, for anything else, and if there are none.
-    """
-    points = []
-    for number, line in enumerate(text.splitlines(), 1):
-        words = line.partition("#")[0].replace(",", " ").split()
-        if not words:
-            continue
-        try:
-            x, y = map(float, words)
-        except ValueError:
-            raise WorkError(f"line {number}: {line!r} is not x and y of a point") from None
-        if not (isfinite(x) and isfinite(y)):
-            raise WorkError(f"line {number}: {line!r} is not finite")
-        points.append((x, y))
-    if not points:
-        raise WorkError("no points: x and y are needed on each line")
-    return points
 
 
 def _expression(coefficients: list[float]) -> str:

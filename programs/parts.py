@@ -18,7 +18,7 @@ class Part(NamedTuple):
 
     `nominal` is the curve for the cutter's centre as `nc.curves.nominal` takes it; empty where inspection
     finds the curve by itself. `instrument` is the one that the thesis used, or None. `tolerance` (half the
-    band) and `cutter` (diameter) are inches.
+    band) and `cutter` (diameter) are inches. `file` is what a file may say in place of an expression.
     """
 
     name: str
@@ -29,6 +29,7 @@ class Part(NamedTuple):
     tolerance: float = 0.005
     cutter: float = 0.5
     has_defaults: bool = True
+    file: str = ""
 
     def program(self) -> PartProgram:
         """Import the part program and return its function."""
@@ -71,8 +72,14 @@ PARTS: Final = {
         Part(
             "profile",
             "A closed profile, such as a cam: the radius as a function of the angle.",
-            ("'1.5+0.25*cos(x)' --cutter 0.25 > cam.asc", "'1.2+0.1*sin(3*x)' --cutter 0.125 --side inside"),
+            (
+                "'1.5+0.25*cos(x)' --cutter 0.25 > cam.asc",
+                "'1.2+0.1*sin(3*x)' --cutter 0.125 --side inside",
+                "outline.csv --cutter 0.25 --stop inside > outline.asc",
+            ),
             has_defaults=False,
+            file="a file of the outline's points, x and y from the centre on each line, with straight lines "
+            "between them",
         ),
         Part(
             "die",
@@ -110,7 +117,8 @@ def part(name: str, *expression: str, **constants: Any) -> str:
 
     `constants` are the options of its command, `pdp8 part NAME --help`, in the same units: lengths in inches,
     as numbers or as text, part("circle", radius=1.5, tolerance=".003", technique="piece"). The parts "curve"
-    and "profile" take an expression, part("curve", "sin(x)", from_=0, to=6.283). Raises WorkError.
+    and "profile" take an expression, part("curve", "sin(x)", from_=0, to=6.283), "profile" also a text of
+    lines, x and y of a point on each. Raises WorkError.
     """
     program = find(name).program()
     if not constants:

@@ -1,12 +1,13 @@
-"""A closed profile r(x) about a centre, x the angle: a cam, milled all round.
+"""A closed profile about a centre: a cam as r(x), x the angle, or an outline through points.
 
                .-'''-.        r is the part's edge, or without a cutter the path of its centre. A cutter has
-             .'   |   '.      its centre on the normal, outside the part or inside a hole. The path is cut
-    start > |     +--r--|     clockwise from the side of least X, split where it turns along X or along Y;
-             '.       .'      the band is E wide to each side of it, square to it.
-               '-...-'
+             .'   |   '.      its centre on the normal, outside the part or inside a hole, and goes round a
+    start > |     +--r--|     corner in an arc. The path is cut clockwise from the side of least X, split
+             '.       .'      where it turns along X or along Y; the band is E wide to each side of it,
+               '-...-'        square to it.
 
-An edge that bends closer than the cutter, on its side, cannot be cut.
+An edge that bends closer than the cutter, on its side, cannot be cut, nor a gap too narrow for it. In an
+inner corner the cutter may leave .001 in.
 
 Not of the thesis: its technique, on a curve of ours. Source: thesis, Chapter 3, for the band of a curve.
 """
@@ -14,23 +15,28 @@ Not of the thesis: its technique, on a curve of ours. Source: thesis, Chapter 3,
 from bisect import bisect_left
 from collections.abc import Sequence
 from itertools import pairwise
-from math import cos, radians, sin, sqrt
+from math import atan2, ceil, cos, radians, sin
 from typing import Annotated, Literal
 
+from programs import points
 from programs.format import Overflow
 from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
+from programs.points import Place, length, turn
 from programs.stretches import Axis, Curve, Point, Side, Stretch, check_tolerance
 from programs.units import INCHES, thousandths, tolerance_units
 from tapes.errors import WorkError
 from tapes.expression import LANGUAGE, function
 
 _PLACES = 1440
-_FURTHEST = 100
-"""Thousandths of an inch from place to place."""
-
-_Place = tuple[float, float]
+_FURTHEST = 0.1
+"""Inches from place to place."""
+_LEFT = 1
+"""Thousandths of an inch that a cutter may leave in a corner."""
+_STEP = radians(2)
+_FLAT = 1e-6
+"""Thousandths of an inch; less along an axis is no way."""
 
 
 def part(
@@ -39,8 +45,8 @@ def part(
     ],
     *,
     tolerance: Annotated[float, "half the width of the band", INCHES.below(1)] = 0.005,
-    centre_x: Annotated[float, "X of the centre", INCHES] = 4.0,
-    centre_y: Annotated[float, "Y of the centre", INCHES] = 4.0,
+    centre_x: Annotated[float, "X of the table where the centre is", INCHES] = 4.0,
+    centre_y: Annotated[float, "Y of the table where the centre is", INCHES] = 4.0,
     cutter: CutterOfSurface = None,
     side: Annotated[
         Literal["outside", "inside"], "side of the profile that the cutter is on", "cutter"
@@ -49,46 +55,76 @@ def part(
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the profile r = `expression`; lengths are inches. Raises WorkError."""
+    """Return the printout of the profile r = `expression`; lengths are inches.
+
+    In place of an expression a text of lines is the outline, x and y of a point on each. Raises WorkError.
+    """
+    edge = points.outline(expression, tolerance) if "\n" in expression else _polar(expression)
+    across, up = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
+    clockwise = [(1000 * x + across, 1000 * y + up) for x, y in reversed(edge)]
+    path = _offset(clockwise, 500 * (cutter or 0) * (1 if side == "outside" else -1))
+    return milling.printout(closed(path, tolerance_units(tolerance)), header, overflow)
+
+
+def _polar(expression: str) -> list[Place]:
+    """Return places of the profile r = `expression`, counterclockwise; inches. Raises WorkError."""
     radius = function(expression)
-    centre = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
-    edge = []
+    edge: list[Place] = []
     for place in range(_PLACES):
         angle = radians(360 * place / _PLACES)
         if not 0 < (r := radius(angle)) < 100:
             raise WorkError(f"at x = {angle:.3f} the radius is {r:g}: it has to be above 0 and on the table")
-        edge.append((centre[0] + 1000 * r * cos(angle), centre[1] + 1000 * r * sin(angle)))
-        if place and _length(edge[-1][0] - edge[-2][0], edge[-1][1] - edge[-2][1]) > _FURTHEST:
+        edge.append((r * cos(angle), r * sin(angle)))
+        if place and length(edge[-2], edge[-1]) > _FURTHEST:
             raise WorkError(f"at x = {angle:.3f} the radius jumps to {r:g}")
-    if abs(radius(radians(360)) - radius(0)) * 1000 > _FURTHEST:
+    if abs(radius(radians(360)) - radius(0)) > _FURTHEST:
         raise WorkError(
             f"the profile is not closed: the radius is {radius(0):g} at 0, {radius(radians(360)):g} at 2 pi"
         )
-    edge.reverse()  # clockwise
-    beside = 500 * (cutter or 0) * (1 if side == "outside" else -1)
-    return milling.printout(closed(_offset(edge, beside), tolerance_units(tolerance)), header, overflow)
+    return edge
 
 
-def _offset(edge: Sequence[_Place], beside: float) -> list[_Place]:
-    """Return the path to the left of a closed line, `beside` it. Raises WorkError where it goes back."""
+def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
+    """Return the path to the left of a closed line, `beside` it; thousandths.
+
+    Raises WorkError where it goes back or crosses itself, and for a corner that the cutter does not reach.
+    """
     if not beside:
         return [*edge]
-    path = []
-    for before, (x, y), after in zip([edge[-1], *edge], edge, [*edge[1:], edge[0]], strict=False):
-        across, up = after[0] - before[0], after[1] - before[1]
-        length = _length(across, up)
-        path.append((x - beside * up / length, y + beside * across / length))
-    ways = zip(pairwise([*edge, edge[0]]), pairwise([*path, path[0]]), strict=True)
-    for (here, there), (one, other) in ways:
-        if (there[0] - here[0]) * (other[0] - one[0]) + (there[1] - here[1]) * (other[1] - one[1]) <= 0:
-            raise WorkError(
-                f"cutter of {abs(beside) / 500:g} in is too big: the profile bends closer at "
-                f"X {here[0] / 1000:.3f} Y {here[1] / 1000:.3f}"
-            )
+    too_big = f"cutter of {abs(beside) / 500:g} in is too big: "
+    path: list[Place] = []
+    end = _about(edge[-2], edge[-1], edge[0], beside)[-1]
+    for before, here, after in zip([edge[-1], *edge], edge, [*edge[1:], edge[0]], strict=False):
+        places = _about(before, here, after, beside)
+        across, up = places[0][0] - end[0], places[0][1] - end[1]
+        if (here[0] - before[0]) * across + (here[1] - before[1]) * up <= 0:
+            raise WorkError(f"{too_big}the profile bends closer, or is rough, at {_at(before)}")
+        if len(places) == 1 and (left := length(here, places[0]) - abs(beside)) > _LEFT:
+            raise WorkError(f"{too_big}it leaves {left / 1000:.3f} in in the corner at {_at(here)}")
+        path += places
+        end = path[-1]
+    if (place := points.crossing(path)) is not None:
+        raise WorkError(f"{too_big}its path crosses itself at {_at(place)}")
     return path
 
 
-def closed(path: Sequence[_Place], tolerance: float) -> Curve:
+def _about(before: Place, here: Place, after: Place, beside: float) -> list[Place]:
+    """Return the path at a point of a line, `beside` to the left: a place, or an arc round a corner."""
+    angle = turn(before, here, after)
+    half = atan2(here[1] - before[1], here[0] - before[0]) + angle / 2 + radians(90)
+    if angle * beside >= 0 or abs(angle) < _STEP:
+        reach, ways = beside / cos(angle / 2), [half]
+    else:
+        steps = ceil(abs(angle) / _STEP)
+        reach, ways = beside, [half + angle * (step / steps - 0.5) for step in range(steps + 1)]
+    return [(here[0] + reach * cos(way), here[1] + reach * sin(way)) for way in ways]
+
+
+def _at(place: Place) -> str:
+    return f"X {place[0] / 1000:.3f} Y {place[1] / 1000:.3f}"
+
+
+def closed(path: Sequence[Place], tolerance: float) -> Curve:
     """Return the closed curve through places, near each other, from the one of least X and back.
 
     Raises WorkError for a tolerance out of range.
@@ -98,7 +134,9 @@ def closed(path: Sequence[_Place], tolerance: float) -> Curve:
     first = xs.index(min(xs))
     path = [*path[first:], *path[: first + 1]]
     start = Point(round(path[0][0]), round(path[0][1]))
-    ways = [(_way(other[0] - one[0]), _way(other[1] - one[1])) for one, other in pairwise(path)]
+    sides = list(pairwise(path))
+    right = _ways([other[0] - one[0] for one, other in sides])
+    ways = list(zip(right, _ways([other[1] - one[1] for one, other in sides]), strict=True))
     turns = [at for at, (one, other) in enumerate(pairwise(ways), 1) if one != other]
     stretches = []
     for begin, end in pairwise([0, *turns, len(path) - 1]):
@@ -114,7 +152,7 @@ def closed(path: Sequence[_Place], tolerance: float) -> Curve:
 
 
 def _stretch(
-    path: Sequence[_Place], way: tuple[int, int], tolerance: float, last: tuple[int | None, int | None]
+    path: Sequence[Place], way: tuple[int, int], tolerance: float, last: tuple[int | None, int | None]
 ) -> Stretch:
     dx, dy = way
     band = _Band(path, dx, dy, tolerance)
@@ -122,18 +160,24 @@ def _stretch(
     return Stretch(dx, dy, band.side, upward, *last)
 
 
-def _length(x: float, y: float) -> float:
-    return sqrt(x * x + y * y)
+def _ways(steps: list[float]) -> list[int]:
+    """Return the way of each step, 1 or -1; one of no length goes on, the first ones as what follows."""
+    way = next(_way(step) for step in steps if abs(step) > _FLAT)
+    ways = []
+    for step in steps:
+        way = _way(step) if abs(step) > _FLAT else way
+        ways.append(way)
+    return ways
 
 
-def _way(length: float) -> int:
-    return -1 if length < 0 else 1
+def _way(step: float) -> int:
+    return -1 if step < 0 else 1
 
 
 class _Band:
     """The band of a piece of a path along which X and Y each go one way."""
 
-    def __init__(self, path: Sequence[_Place], dx: int, dy: int, tolerance: float) -> None:
+    def __init__(self, path: Sequence[Place], dx: int, dy: int, tolerance: float) -> None:
         self._path, self._dx, self._dy, self._tolerance = path, dx, dy, tolerance
         self._along = [dx * x + dy * y for x, y in path]
 
@@ -159,11 +203,11 @@ class _Band:
         return nearest
 
 
-def _from_line(x: float, y: float, start: _Place, end: _Place) -> float:
+def _from_line(x: float, y: float, start: Place, end: Place) -> float:
     """Return the distance of a point from a line, - to the right of it."""
     across, up = end[0] - start[0], end[1] - start[1]
     aside = across * (y - start[1]) - up * (x - start[0])
     part = (across * (x - start[0]) + up * (y - start[1])) / (across * across + up * up)
     nearest = min(1.0, max(0.0, part))
-    away = _length(x - start[0] - nearest * across, y - start[1] - nearest * up)
+    away = length((x, y), (start[0] + nearest * across, start[1] + nearest * up))
     return away if aside >= 0 else -away

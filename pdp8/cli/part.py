@@ -62,20 +62,44 @@ def _command(part: Part) -> click.Command:
     program = part.program()
 
     def punch(*, output: str, fewest: bool = False, **values: Any) -> None:
-        proved = eia.decode(shelf.read_bundled(f"{part.name}-fewest.eia")) if fewest else None
-        command.put(output, ascii.encode(proved or program(**arguments(program, values))))
+        if fewest:
+            text = eia.decode(shelf.read_bundled(f"{part.name}-fewest.eia"))
+        elif part.file:
+            text = _from_file(part, values)
+        else:
+            text = program(**arguments(program, values))
+        command.put(output, ascii.encode(text))
 
     made = Command(
         part.name,
         callback=punch,
-        params=part_options.parameters(program) + [_FEWEST] * (part.name in _PROVED),
+        params=part_options.parameters(program, bool(part.file)) + [_FEWEST] * (part.name in _PROVED),
         help=_help(
-            f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip(),
+            f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip()
+            + f" It may also be {part.file}." * bool(part.file),
             [f"pdp8 part {part.name} {example}" for example in part.examples],
         ),
         context_settings=_SETTINGS,
     )
     return output(Target("tape"))(made)
+
+
+def _from_file(part: Part, values: dict[str, Any]) -> str:
+    """Return the printout for an expression, or for what the file says that it names."""
+    from tapes import convert
+    from tapes.errors import WorkError, naming
+
+    program, given = part.program(), values["expression"]
+    if given == "-" or shelf.has(given):
+        content = shelf.read(given)
+        with naming(given):
+            return program(**arguments(program, values | {"expression": convert.typed(content) + "\n"}))
+    try:
+        return program(**arguments(program, values))
+    except WorkError as error:
+        if "." in given and given.rpartition(".")[2].isalpha():
+            raise WorkError(f"{given}: there is no such file") from error
+        raise
 
 
 _ARITHMETIC = click.Choice(list(ARITHMETICS))
@@ -128,12 +152,13 @@ def fit(points: str, degree: int) -> None:
       pdp8 part curve "$(pdp8 part fit points.txt)" --to 4 -o curve.asc
     """
     from programs import least_squares
+    from programs.points import read
     from tapes import convert
     from tapes.errors import naming
 
     content = shelf.read(points)
     with naming(points):
-        found = least_squares.fit(least_squares.read(convert.typed(content)), degree)
+        found = least_squares.fit(read(convert.typed(content)), degree)
     command.echo(found.expression)
     command.tell(f"at most {found.worst:.4f} in from a point")
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from pdp8.cli.shared.arguments import Source
 from pdp8.cli.shared.rules import Option
 from programs.constants import REQUIRED, Constant, constants
 from programs.program import PartProgram
@@ -27,9 +28,9 @@ class Typed(click.ParamType[Any]):
             self.fail(f"{error}.", param, ctx)
 
 
-def parameters(program: PartProgram) -> list[click.Parameter]:
-    """Return the click parameters of `program`, in the order of its signature."""
-    return [_parameter(constant) for constant in constants(program) if constant.meaning]
+def parameters(program: PartProgram, file: bool = False) -> list[click.Parameter]:
+    """Return the click parameters of `program`, in the order of its signature; an argument may be a file."""
+    return [_parameter(constant, file) for constant in constants(program) if constant.meaning]
 
 
 def explained(program: PartProgram) -> str:
@@ -51,9 +52,9 @@ def sentence(constant: Constant) -> str:
     return f"{constant.meaning[0].upper()}{constant.meaning[1:]}."
 
 
-def _parameter(constant: Constant) -> click.Parameter:
+def _parameter(constant: Constant, file: bool) -> click.Parameter:
     if constant.default is REQUIRED:
-        return click.Argument([constant.name], type=str)
+        return click.Argument([constant.name], type=Source() if file else str)
     names = [f"--{spelling(constant)}", constant.name]
     needs, excludes = (
         " ".join(f"--{word}" for word in words.split()) for words in (constant.needs, constant.excludes)

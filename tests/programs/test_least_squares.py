@@ -5,8 +5,9 @@ from typing import Literal
 import pytest
 
 from programs import circle, drill, slope
-from programs.least_squares import fit, read
+from programs.least_squares import fit
 from programs.mirror import mirrored
+from programs.points import read
 from programs.stretches import Point
 from tapes.errors import WorkError
 from tapes.expression import function

@@ -16,6 +16,7 @@ from programs.header import Header
 from programs.milling import Milling
 from programs.mirror import mirrored
 from programs.piecewise import Technique
+from programs.points import read
 from programs.printout import check_band, check_codes, check_on_table, check_start
 from programs.stretches import Point, arc, graph
 from programs.units import FRACTION, INCHES, NUMBER, THOUSANDTHS, UnitError
@@ -191,7 +192,7 @@ def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> N
     points = "0 1\n1 2.5\n2 1\n3 4\n4 7\n5 0\n"
     for degree, option in ((3, ""), (0, " --degree 0")):
         done = shell(f"pdp8 part fit -{option}", points.encode())
-        found = least_squares.fit(least_squares.read(points), degree)
+        found = least_squares.fit(read(points), degree)
         assert done.stdout.decode() == f"{found.expression}\n"
         assert done.stderr.decode() == f"at most {found.worst:.4f} in from a point\n"
     assert least_squares.fit([(0, 0), (1, -1)], 1).expression.startswith("0-")  # no option of `part curve`

@@ -34,7 +34,7 @@ MODULES = {
     "pdp8.lessons": "answer diagnosis drill evidence exercise marking page scores trial values where",
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drawn drill ellipse fluidic format function header milling"
-    " piecewise polynomial printout profile slope stepwise stretches units",
+    " piecewise points polynomial printout profile slope stepwise stretches units",
     "pdp8.web": "findings loosened method passing",
 }
 """What is translated."""

@@ -462,7 +462,7 @@ export const round = (of, places = null) => {
 
 // The standard library.
 
-export const { abs, acos, asin, atan, ceil, cos, cosh, exp, floor, log, sin, sinh, sqrt, tan, tanh } = Math;
+export const { abs, acos, asin, atan, atan2, ceil, cos, cosh, exp, floor, log, sin, sinh, sqrt, tan, tanh } = Math;
 export const pairwise = (of) => zip(of, list(of).slice(1));
 export const bisect_left = (of, value, low = 0, high = of.length, by = (each) => each) => {
   while (low < high) {
@@ -474,6 +474,7 @@ export const bisect_left = (of, value, low = 0, high = of.length, by = (each) =>
 };
 export const monotonic = () => performance.now() / 1000;
 export const radians = (degrees) => degrees * (Math.PI / 180);
+export const degrees = (radians) => radians * (180 / Math.PI);
 export const isfinite = Number.isFinite;
 export const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -1 : 1) * Math.abs(a);
 export const json = {
