@@ -69,6 +69,10 @@ def test_what_cannot_be_looked_at_is_not_verified(words: dict[str, str], said: s
     assert (point["verified"], point["line"], said in point["message"]) == (False, 3, True), point
 
 
+def test_no_hit_is_a_multiple_of_nothing(folder: Path) -> None:
+    assert stops(folder, {"line": 3, "hitCondition": "% 0"}).answers[-2]["event"]["reason"] == "halt"
+
+
 def test_a_log_message_is_said_and_the_run_goes_on(folder: Path) -> None:
     seen = stops(folder, {"line": 3, "logMessage": "M is {M}, then {core[N]}", "condition": "M < 7762"})
     assert seen.answers[-2]["event"]["reason"] == "halt"

@@ -64,16 +64,58 @@ def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPat
     assert [each["success"] for each in rest] == [True]
 
 
-def test_a_session_ends_once(tmp_path: Path) -> None:
+def held(*asked: tuple[str, dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return what a debugger says to requests that all stand in its input."""
+    out = BytesIO()
+    sent = framed(*({"type": "request", "command": name, "arguments": given} for name, given in asked))
+    Session(BytesIO(sent), out).serve()
+    return spoken(out.getvalue())
+
+
+def console(line: str) -> tuple[str, dict[str, Any]]:
+    return "evaluate", {"expression": line, "context": "repl"}
+
+
+def test_a_session_ends_once() -> None:
     """Emacs's dape answers `terminated` with `terminate`."""
     launch = {"program": "hello.pal", "stopOnEntry": True}
-    asked = [("launch", launch), ("terminate", {}), ("terminate", {}), ("restart", {}), ("terminate", {})]
-    sent = framed(*({"type": "request", "command": name, "arguments": given} for name, given in asked))
-    out = BytesIO()
-    Session(BytesIO(sent), out).serve()
-    told = [each.get("command") or each["event"] for each in spoken(out.getvalue())]
+    heard = held(("launch", launch), ("terminate", {}), ("terminate", {}), ("restart", {}), ("terminate", {}))
+    told = [each.get("command") or each["event"] for each in heard]
     ended = ["terminate", "exited", "terminated"]
     assert [each for each in told if each in ended] == [*ended, "terminate", *ended]
+
+
+@pytest.mark.parametrize("leaves", ["terminate", "disconnect"])
+def test_a_tape_is_written_when_an_editor_leaves_a_run(leaves: str, tmp_path: Path) -> None:
+    source, punch = tmp_path / "letters.pal", tmp_path / "out.eia"
+    source.write_text("*200\nS,\tTAD A\n\tTLS\n\tCLA\n\tTSF\n\tJMP .-1\n\tJMP S\nA,\t301\n$\n")
+    launch = {"program": str(source), "punch": str(punch)}
+    heard = held(("launch", launch), ("configurationDone", {}), console("run 1"), (leaves, {}))
+    assert set(punch.read_bytes()) == {0o301}
+    events = [each for each in heard if "event" in each]
+    assert "stopped" not in [each["event"] for each in events]
+    if leaves == "terminate":
+        wrote = [each["event"] for each in events if str(punch) in str(each)]
+        assert wrote == ["output"], events
+        assert events[-1]["event"] == "terminated"
+
+
+def test_a_pause_while_the_machine_stands_is_not_remembered() -> None:
+    launch = {"program": "hello.pal", "stopOnEntry": True}
+    pause = ("pause", {"threadId": 1})
+    heard = held(("launch", launch), ("configurationDone", {}), pause, console("step 3"), console("PC"))
+    assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == ["entry", "pause"]
+    *_, stepped, at = [each for each in heard if each.get("command") == "evaluate"]
+    assert len(stepped["body"]["result"].splitlines()) == 3
+    assert at["success"]
+
+
+def test_what_has_no_word_of_core_is_not_watched(tmp_path: Path) -> None:
+    (tmp_path / "own.pal").write_text("*200\nAC,\tHLT\n$\n")
+    launch = ("launch", {"program": str(tmp_path / "own.pal"), "stopOnEntry": True})
+    registers, symbols = (("dataBreakpointInfo", {"name": "AC", "variablesReference": at}) for at in (1, 3))
+    *_, register, symbol = held(launch, registers, symbols)
+    assert (register["body"]["dataId"], symbol["body"]["dataId"]) == (None, "0200")
 
 
 def test_every_request_is_answered(tmp_path: Path) -> None:
