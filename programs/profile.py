@@ -15,7 +15,7 @@ Not of the thesis: its technique, on a curve of ours. Source: thesis, Chapter 3,
 from bisect import bisect_left
 from collections.abc import Sequence
 from itertools import pairwise
-from math import atan2, ceil, cos, radians, sin
+from math import atan2, ceil, cos, radians, sin, sqrt
 from typing import Annotated, Literal
 
 from programs import points
@@ -178,8 +178,9 @@ class _Band:
     """The band of a piece of a path along which X and Y each go one way."""
 
     def __init__(self, path: Sequence[Place], dx: int, dy: int, tolerance: float) -> None:
-        self._path, self._dx, self._dy, self._tolerance = path, dx, dy, tolerance
+        self._dx, self._dy, self._tolerance = dx, dy, tolerance
         self._along = [dx * x + dy * y for x, y in path]
+        self._lines = [(*start, end[0] - start[0], end[1] - start[1]) for start, end in pairwise(path)]
 
     def side(self, x: float, y: float) -> Side:
         """Return the side of the band that a point is on; left of the path is above."""
@@ -193,21 +194,16 @@ class _Band:
     def _left(self, x: float, y: float) -> float:
         """Return how far to the left of the path a point is."""
         along, reach = self._dx * x + self._dy * y, 2 * self._tolerance + 2
-        end = len(self._path) - 1
+        end = len(self._lines)
         first = min(end, max(1, bisect_left(self._along, along - reach)))
         last = max(first, min(end, bisect_left(self._along, along + reach)))
-        nearest = _from_line(x, y, self._path[first - 1], self._path[first])
-        for at in range(first + 1, last + 1):
-            off = _from_line(x, y, self._path[at - 1], self._path[at])
-            nearest = off if abs(off) < abs(nearest) else nearest
-        return nearest
-
-
-def _from_line(x: float, y: float, start: Place, end: Place) -> float:
-    """Return the distance of a point from a line, - to the right of it."""
-    across, up = end[0] - start[0], end[1] - start[1]
-    aside = across * (y - start[1]) - up * (x - start[0])
-    part = (across * (x - start[0]) + up * (y - start[1])) / (across * across + up * up)
-    nearest = min(1.0, max(0.0, part))
-    away = length((x, y), (start[0] + nearest * across, start[1] + nearest * up))
-    return away if aside >= 0 else -away
+        nearest, left = 1e18, True
+        for start_x, start_y, across, up in self._lines[first - 1 : last]:
+            right, above = x - start_x, y - start_y
+            part = (across * right + up * above) / (across * across + up * up)
+            part = 0.0 if part < 0 else 1.0 if part > 1 else part
+            aside, beyond = right - part * across, above - part * up
+            away = aside * aside + beyond * beyond
+            if away < nearest:
+                nearest, left = away, across * above >= up * right
+        return sqrt(nearest) if left else -sqrt(nearest)
