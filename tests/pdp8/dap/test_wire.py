@@ -9,6 +9,7 @@ import pytest
 
 from pdp8.dap import session
 from pdp8.dap.session import Session
+from pdp8.dap.wire import Wire
 from tests.commands import run
 
 
@@ -108,6 +109,15 @@ def test_a_pause_while_the_machine_stands_is_not_remembered() -> None:
     *_, stepped, at = [each for each in heard if each.get("command") == "evaluate"]
     assert len(stepped["body"]["result"].splitlines()) == 3
     assert at["success"]
+
+
+def test_a_program_that_waits_is_told_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """However often the editor asks something meanwhile: here the machine runs between any two requests."""
+    monkeypatch.setattr(Wire, "holds", False)
+    (tmp_path / "waits.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
+    launch = ("launch", {"program": str(tmp_path / "waits.pal")})
+    heard = held(launch, ("configurationDone", {}), ("threads", {}), ("threads", {}))
+    assert [each["event"] for each in heard if "the program waits" in str(each)] == ["output"]
 
 
 def test_what_has_no_word_of_core_is_not_watched(tmp_path: Path) -> None:
