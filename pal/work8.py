@@ -98,6 +98,10 @@ class Work8:
         """Return the symbols where they stand."""
         return self._run.mentions
 
+    def reads_a_line(self) -> bool:
+        """Tell whether anything stands before the end of the source, as ^Z may be its first character."""
+        return bool(self._lines)
+
     def first(self) -> int:
         """Return the place of what is said of the whole source."""
         return self._run.place_of_line(0)

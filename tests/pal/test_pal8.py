@@ -187,3 +187,11 @@ def test_an_assembly_has_the_same_members_in_both(dialect: str) -> None:
         *([(None, None)] if dialect == "pal8" else []),
     ]
     assert binary.decode(assembly.tape).words == assembly.words == {0o200: 0o1200, 0o201: 0o7402}
+
+
+@pytest.mark.parametrize("source", [b"\x9a", b"\x9a<", "\x1a*200\n\tTAD (5\n\tHLT\n$\n"])
+def test_a_source_that_begins_with_its_end_is_not_taken_for_pal8(source: str | bytes) -> None:
+    """PAL8 would read nothing of it, and say nothing."""
+    assembly = pal.assemble(source)
+    assert (assembly.dialect, assembly.ok) == ("pal3", False)
+    assert assembly.messages[0] == "IC  0232  AT  0200"
