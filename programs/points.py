@@ -18,6 +18,8 @@ _WIDEST = 100
 _CURVED, _SHARPEST = 30, 90
 """Degrees between two sides."""
 _ROUNDING = 1e-6
+_FINE, _LEAST = 0.0005, 0.002
+"""Inches that a line may go back and forth: half a step of the machine; or twice the tolerance and more."""
 
 
 def read(text: str) -> list[Place]:
@@ -59,6 +61,8 @@ def outline(text: str, tolerance: float) -> list[Place]:
     _check_closed(line)
     for before, here, after in zip([line[-1], *line], line, [*line[1:], line[0]], strict=False):
         _check_turn(before, here, after, tolerance)
+    for axis in (0, 1):
+        _check_smooth(line, axis, 2 * tolerance + _LEAST)
     if (place := crossing(line)) is not None:
         raise WorkError(f"the outline crosses or touches itself at {_at(place)}")
     around = sum(x * there[1] - there[0] * y for (x, y), there in pairwise([*line, line[0]]))
@@ -88,6 +92,26 @@ def _check_turn(before: Place, here: Place, after: Place, tolerance: float) -> N
             f"at {_at(here)} the points are too far apart: a curve through them is {bow:.4f} in off the "
             f"straight line, tolerance {tolerance:g} in"
         )
+
+
+def _check_smooth(line: list[Place], axis: int, least: float) -> None:
+    """Raise WorkError where a line goes back and forth along an axis by less than `least`.
+
+    There a stop may fall outside the band: a hundred of 6,000 rough outlines were.
+    """
+    ends: list[Place] = []
+    values = [place[axis] for place in line]
+    start = values.index(min(values))
+    forth = True
+    for here, there in pairwise([*line[start:], *line[: start + 1]]):
+        if there[axis] != here[axis] and (there[axis] > here[axis]) != forth:
+            forth = not forth
+            if ends and _FINE < abs(here[axis] - ends[-1][axis]) < least:
+                raise WorkError(
+                    f"the outline is rough at {_at(here)}: along {'XY'[axis]} it goes back and forth by "
+                    f"{abs(here[axis] - ends[-1][axis]):.4f} in, {least:g} is the least: smooth it"
+                )
+            ends.append(here)
 
 
 def crossing(line: list[Place]) -> Place | None:

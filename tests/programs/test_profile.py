@@ -154,6 +154,11 @@ def test_an_outline_without_a_cutter_is_the_path_wherever_its_points_begin() -> 
             None,
             "the outline crosses or touches itself",
         ),
+        (
+            _file(_around(400, lambda x: (1.5 * cos(x), 1.5 * sin(x) + 0.001 * cos(200 * x)))),
+            None,
+            "the outline is rough at X .*: along Y it goes back and forth by 0.00.* in, 0.012 is the least",
+        ),
         (_file(SQUARE), 4, "cutter of 4 in is too big: the profile bends closer"),
         (
             _file(HEXAGON[:1] + HEXAGON),
