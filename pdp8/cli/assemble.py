@@ -2,6 +2,8 @@
 
 import os
 import sys
+from collections.abc import Callable, Iterable
+from functools import partial
 
 import click
 
@@ -163,20 +165,37 @@ def pal(
     if assembly.stopped:
         dialect = SPELLED[assembly.dialect]
         raise AssemblyError(f"{_counted(errors)}: {dialect} goes no further, nothing is written")
+    writes: list[Callable[[], None]] = []
     if listing:
-        _put_listing(listing, assembly)
+        writes.append(partial(_put_listing, listing, assembly))
     if symbols:
-        command.put(symbols, assembly.symbol_table)
+        writes.append(partial(command.put, symbols, assembly.symbol_table))
     if json:
         from pal.reports import as_json
 
-        command.put(json, as_json(assembly))
+        writes.append(partial(command.put, json, as_json(assembly)))
     if tty:
-        command.put_all(tty, zip(map(os.path.basename, passes), assembly.teletype, strict=True))
+        punched = zip(map(os.path.basename, passes), assembly.teletype, strict=True)
+        writes.append(partial(command.put_all, tty, punched))
     if tape:
-        _punch(tape, rim, force, errors, assembly)
-    elif errors:
+        writes.append(partial(_punch, tape, rim, force, errors, assembly))
+    _write_each(writes)
+    if errors and not tape:
         raise AssemblyError(_counted(errors))
+
+
+def _write_each(writes: Iterable[Callable[[], None]]) -> None:
+    """Write every file, also after one that cannot be written; then raise what the last of these raised."""
+    failed: WorkError | None = None
+    for write in writes:
+        try:
+            write()
+        except WorkError as error:
+            if failed:
+                command.say(str(failed))
+            failed = error
+    if failed:
+        raise failed
 
 
 def _check_options_of_pal3(tty: str | None, modern: bool, high_speed_reader: bool) -> None:

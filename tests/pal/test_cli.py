@@ -84,3 +84,15 @@ def test_without_pygls_an_editor_is_told(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setitem(sys.modules, "pal.server", None)
     with pytest.raises(AssemblyError, match=r"^--lsp needs pygls: .*pip install .*\[lsp\]"):
         assemble.pal.main(["--lsp"], standalone_mode=False)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
+def test_a_file_that_cannot_be_written_stops_no_other(folder: Path, shell: Shell) -> None:
+    done = shell("pal good.pal -o good.bin --listing /dev/full --symbols /dev/full --json good.json")
+    assert done.returncode == 1
+    said = done.stderr.decode().splitlines()
+    assert sorted(said) == ["pal: /dev/full: No space left on device"] * 2 + [
+        "wrote good.bin",
+        "wrote good.json",
+    ]
+    assert (folder / "good.bin").read_bytes() == pal.assemble(SOURCES["good"]).tape
