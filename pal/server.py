@@ -63,14 +63,14 @@ class _Protocol(LanguageServerProtocol):
         yield self.fm.features[lsp.TEXT_DOCUMENT_DID_CHANGE], (params,), None
 
 
-def made(dialect: str) -> LanguageServer:
-    """Return a server that takes sources to be in `dialect`, unless the editor chooses one for a source."""
+def made(workspace: Workspace) -> LanguageServer:
+    """Return a server of the documents that a workspace has."""
     server = LanguageServer("pal", _VERSION, protocol_cls=_Protocol)
-    Answers(server, Workspace(dialect, _read))
+    Answers(server, workspace)
     return server
 
 
-def _read(uri: str) -> str:
+def read(uri: str) -> str:
     """Return the text of a file that is not open; of one that cannot be read, none."""
     try:
         return Path(unquote(urlsplit(uri).path)).read_bytes().decode("utf-8", "replace")

@@ -262,13 +262,14 @@ def _serve(dialect: str) -> None:
 
     try:
         from pal import server
+        from pal.workspace import Workspace
     except ImportError:
         from pdp8.cli.shared.extras import hint
 
         raise AssemblyError(f"--lsp needs pygls: {hint('lsp')}") from None
     logging.getLogger("pygls").addHandler(logging.NullHandler())
     with command.conversation() as (reader, writer):
-        server.made(dialect).start_io(reader, writer)
+        server.made(Workspace(dialect, server.read)).start_io(reader, writer)
 
 
 def _beside(source: str) -> str:

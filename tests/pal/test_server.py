@@ -5,7 +5,9 @@ A real client (pytest-lsp) holds the conversations of editor/ with the server.
 
 import asyncio
 import json
+import random
 import re
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +20,11 @@ from pygls.exceptions import JsonRpcException
 from pytest_lsp import make_test_lsp_client
 
 import pal
+from pal import server
 from pal.document import Document
 from pal.formatting import formatted
 from pal.text import Text
+from pal.workspace import Workspace
 from pdp8 import shelf
 from tests.commands import environment, run
 from tests.conftest import awaited, case
@@ -188,6 +192,46 @@ def test_an_edit_changes_a_text_as_it_changes_a_string(codec: str, data: st.Data
         text = text.edited(place(plain, first, codec), place(plain, last, codec), new)
         plain = plain[:first] + new + plain[last:]
         assert text.content == plain
+
+
+@pytest.mark.parametrize("codec", UNITS)
+def test_edits_that_an_editor_sends_change_the_text_as_they_change_a_string(codec: str) -> None:
+    """The messages themselves, 300 of them: a library that changes them on the way is judged too."""
+    assert edited_otherwise(codec, 300, 8) == ""
+
+
+def edited_otherwise(codec: str, count: int, seed: int) -> str:
+    """Send so many random edits of a source as JSON; return the first that went wrong, or ""."""
+    draw = random.Random(seed)
+    workspace = Workspace("pal3", lambda uri: "")
+    protocol: Any = server.made(workspace).protocol
+    protocol.set_writer(BytesIO())
+
+    def send(method: str, params: dict[str, Any], **more: int) -> None:
+        asked = {"jsonrpc": "2.0", "method": method, "params": params, **more}
+        protocol.handle_message(protocol.structure_message(json.loads(json.dumps(asked))))
+
+    encodings = {"general": {"positionEncodings": [codec.removesuffix("-le")]}}
+    send("initialize", {"processId": None, "rootUri": None, "capabilities": encodings}, id=1)
+    plain = ""
+    document = {"uri": URI, "languageId": "pal", "version": 1, "text": plain}
+    send("textDocument/didOpen", {"textDocument": document})
+    for version in range(2, count + 2):
+        first = draw.randint(0, len(plain))
+        last = min(len(plain), first + draw.randint(0, 9))
+        if any(plain[at - 1 : at + 1] == "\r\n" for at in (first, last)):
+            continue
+        new = "".join(draw.choice([*ENDS, *"A7 ,/\t\f\v\x85\u2028é€😀"]) for _ in range(draw.randint(0, 9)))
+        ends = [
+            dict(zip(("line", "character"), place(plain, at, codec), strict=True)) for at in (first, last)
+        ]
+        change = {"range": {"start": ends[0], "end": ends[1]}, "text": new}
+        told = {"textDocument": {"uri": URI, "version": version}, "contentChanges": [change]}
+        send("textDocument/didChange", told)
+        plain = plain[:first] + new + plain[last:]
+        if workspace.open[URI].content != plain:
+            return f"{change} made {workspace.open[URI].content!r}, not {plain!r}"
+    return ""
 
 
 def place(plain: str, at: int, codec: str) -> tuple[int, int]:
