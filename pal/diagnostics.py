@@ -29,9 +29,6 @@ STOPPED = "PS01"
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in range(0x20) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
 
-_FAR = "go through a pointer on this page, with I"
-_NEGATIVE = "a negative number is referred to by a tag, as in M5, -5"
-
 _WIDTH = 100
 """Characters of a line that are shown."""
 
@@ -104,11 +101,12 @@ def of_pal3(
         if lower and small:
             continue
         small |= lower
-        advice = _ADVICE[message.code](subject, message.location)
         if message.code == "UA":
-            advice += _definition(source, subject)
-        elif message.code == "IR" and source.items[at + 1 : at + 2] == [("", "-")]:
-            advice = advice.replace(_FAR, _NEGATIVE)
+            advice = _undefined(subject, message.location, source)
+        elif message.code == "IR":
+            advice = _beyond(subject, message.location, source.items[at + 1 : at + 2] == [("", "-")])
+        else:
+            advice = _ADVICE[message.code](subject, message.location)
         if subject == "0277":
             mark = source.spans[message.at][1]
             advice = advice.replace("?", source.shown[mark : mark + 1])
@@ -155,19 +153,15 @@ def _reference(source: Source, end: int) -> int:
     return next((at for at in statement if source.items[at][0] in REFERENCES), end)
 
 
-def _undefined(name: str, location: int) -> str:
-    value = f"{location | ADDRESS:04o}"
-    return f"undefined: {name} is taken as {value}, the last address of its page; "
-
-
-def _definition(source: Source, name: str) -> str:
-    """Return how an undefined symbol is defined; where its tag lacks a comma, say so."""
+def _undefined(name: str, location: int, source: Source) -> str:
+    """Return what an undefined symbol became, and how to define it: perhaps its tag lacks a comma."""
+    taken = f"undefined: {name} is taken as {location | ADDRESS:04o}, the last address of its page; "
     at = source.bare_tag(name)
     if at is None:
-        return f"define it with {name}, or {name}="
+        return f"{taken}define it with {name}, or {name}="
     if source.items[at + 1][0] == "EQU":
-        return f"PAL III has no EQU: in line {source.place(at).line} write {name}="
-    return f"if it is the tag of line {source.place(at).line}, write {name}, there"
+        return f"{taken}PAL III has no EQU: in line {source.place(at).line} write {name}="
+    return f"{taken}if it is the tag of line {source.place(at).line}, write {name}, there"
 
 
 def _illegal(code: str, location: int) -> str:
@@ -186,12 +180,14 @@ def _spelled(character: int) -> str:
     return chr(character) if chr(character).isprintable() else f"(code {character | 0o200:04o})"
 
 
-def _beyond(address: str, location: int) -> str:
+def _beyond(address: str, location: int, negative: bool) -> str:
     page = location & PAGE
     low = int(address, 8) & ADDRESS
+    pointer = "go through a pointer on this page, with I"
     return (
         f"illegal reference: {address} is neither on page zero nor on the page of {location:04o}; "
-        f"{page | low:04o} is used; {_FAR}"
+        f"{page | low:04o} is used; "
+        + ("a negative number is referred to by a tag, as in M5, -5" if negative else pointer)
     )
 
 
@@ -200,6 +196,4 @@ _ADVICE: dict[str, Callable[[str, int], str]] = {
     "RD": lambda name, _: f"redefinition: {name} has a value already and takes the new one; use another name",
     "DT": lambda name, _: f"duplicate tag: {name or 'it'} keeps the value it has; use another name",
     "ST": lambda name, _: f"symbol table full: no room for {name}, and no tape; use fewer symbols",
-    "UA": _undefined,
-    "IR": _beyond,
 }
