@@ -32,7 +32,7 @@ def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pa
     """Return a source as PAL III or PAL8 makes it; `pal3` and `pal8` do their work when they are called."""
     if _is_beyond_pal3(sources):
         work8 = pal8()
-        if work8.ok and work8.reads_a_line():
+        if work8.ok and not work8.is_empty():
             return _as_pal8(names, work8)
         work3 = pal3()
     else:
@@ -41,7 +41,7 @@ def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pa
             return Assembly(PAL3, names, work3)
         work8 = pal8()
     said = work3.messages()
-    if work8.ok and work8.reads_a_line() and any(message[:2] in ("IC", "UA") for message in said):
+    if work8.ok and not work8.is_empty() and any(message[:2] in ("IC", "UA") for message in said):
         return _as_pal8(names, work8)
     if _is_pal8s(work8) and len(work8.errors) <= len(said):
         return _as_pal8(names, work8)

@@ -98,10 +98,6 @@ class Work8:
         """Return the symbols where they stand."""
         return self._run.mentions
 
-    def reads_a_line(self) -> bool:
-        """Tell whether anything stands before the end of the source, as ^Z may be its first character."""
-        return bool(self._lines)
-
     def first(self) -> int:
         """Return the place of what is said of the whole source."""
         return self._run.place_of_line(0)
@@ -163,7 +159,7 @@ class Work8:
         return Teletype(*(typed_frames(self.text(number)) for number in (1, 2, 3)))
 
     def is_empty(self) -> bool:
-        """Tell whether there is nothing in the source."""
+        """Tell whether there is nothing in the source, which a ^Z ends."""
         return not any(line.text for line in self._lines)
 
     def said(self) -> list[Said]:
