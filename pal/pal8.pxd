@@ -71,9 +71,9 @@ cdef class Assembler:
     cdef _end_expression(self, int begun)
     @cython.locals(first=Py_UCS4)
     cdef bint _term(self) except -1
-    @cython.locals(operator=Py_UCS4, last=int)
     cdef int _figures(self, str token) except? -1
     cdef _look_for_division(self, int start)
+    @cython.locals(operator=Py_UCS4, last=int)
     cdef bint _combine(self) except -1
     cdef int _operate(self, int value, Py_UCS4 operator, int last) except? -1
     @cython.locals(tag=Symbol, refers=bint)
