@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlsplit
 
 from lsprotocol import types as lsp
 from pygls.exceptions import JsonRpcException
@@ -23,7 +22,7 @@ from pal.diagnostics import Diagnostic
 from pal.document import KINDS, TAG, VALUE, Definition, Document, Span
 from pal.fixes import fixes
 from pal.formatting import formatted
-from pal.text import Text
+from pal.text import Text, path_of
 from pal.workspace import Workspace
 
 _VERSION = "1"
@@ -73,7 +72,7 @@ def made(workspace: Workspace) -> LanguageServer:
 def read(uri: str) -> str:
     """Return the text of a file that is not open; of one that cannot be read, none."""
     try:
-        return Path(unquote(urlsplit(uri).path)).read_bytes().decode("utf-8", "replace")
+        return Path(path_of(uri)).read_bytes().decode("utf-8", "replace")
     except OSError:
         return ""
 

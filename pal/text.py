@@ -7,9 +7,15 @@ the unit that editor and server agreed on: bytes of UTF-8, words of UTF-16, or c
 
 import re
 from functools import cached_property
+from urllib.parse import unquote, urlsplit
 
 UTF8, UTF16, UTF32 = "utf-8", "utf-16", "utf-32"
 _ENDS = re.compile(r"\r\n|\r|\n")
+
+
+def path_of(uri: str) -> str:
+    """Return the path that a file's URI names."""
+    return unquote(urlsplit(uri).path)
 
 
 class Text:

@@ -8,7 +8,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from pal.document import Document
-from pal.text import UTF16, Text
+from pal.text import UTF16, Text, path_of
 
 
 class Workspace:
@@ -74,7 +74,7 @@ class Workspace:
 def _plain(uri: str) -> str:
     """Return a file's URI as Python spells it; another as it is."""
     parts = urlsplit(uri)
-    return Path(unquote(parts.path)).as_uri() if parts.scheme == "file" and not parts.netloc else uri
+    return Path(path_of(uri)).as_uri() if parts.scheme == "file" and not parts.netloc else uri
 
 
 def _names(uris: Sequence[str]) -> list[str]:

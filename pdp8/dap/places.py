@@ -8,9 +8,8 @@ import os
 from collections.abc import Sequence
 from difflib import SequenceMatcher
 from operator import itemgetter
-from urllib.parse import unquote, urlsplit
 
-from pal.text import Text
+from pal.text import Text, path_of
 from pdp8 import shelf
 from pdp8.computer.use.program import Program
 from pdp8.dap.wire import Body
@@ -75,7 +74,7 @@ class Places:
         """Return which tape the editor speaks of, None for another file; by path or URI."""
         path = str(source.get("path", ""))
         if path.startswith("file://"):
-            path = unquote(urlsplit(path).path)
+            path = path_of(path)
         for tape, own in enumerate(self._sources):
             if source.get("sourceReference"):
                 if source["sourceReference"] == own.get("sourceReference"):
