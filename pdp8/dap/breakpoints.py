@@ -27,9 +27,6 @@ from tapes.errors import WorkError
 LINES, ADDRESSES = "breakpoint", "function breakpoint"
 INSTRUCTIONS, DATA = "instruction breakpoint", "data breakpoint"
 """Kinds of breakpoints, by the reason that the protocol has for a stop at one."""
-READ = ("read", "readWrite")
-WRITE = ("write", "readWrite")
-"""Accesses that a data breakpoint may be for, as the protocol calls them."""
 _COMPARED = {"==": operator.eq, ">": operator.gt, ">=": operator.ge, "<": operator.lt, "<=": operator.le}
 _HITS = re.compile(r"\s*(==|>=|<=|>|<|%)?\s*([0-9]+)\s*")
 
@@ -86,14 +83,23 @@ class Point:
         elif self.kind == INSTRUCTIONS:
             self.address = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
         else:
-            if self.kind == DATA and self.access not in READ + WRITE:
-                raise WorkError(f"{self.access}: a word is watched for read, write or readWrite")
+            if self.kind == DATA and not (self.reads or self.writes):
+                raise WorkError(f"{self._access}: a word is watched for read, write or readWrite")
             self.address = monitor.address(self.asked["name" if self.kind == ADDRESSES else "dataId"])
 
     @property
-    def access(self) -> str:
-        """Return what a data breakpoint stops for."""
+    def _access(self) -> str:
         return str(self.asked.get("accessType") or "write")
+
+    @property
+    def writes(self) -> bool:
+        """Whether it stops after a word was written."""
+        return self.kind == DATA and self._access in ("write", "readWrite")
+
+    @property
+    def reads(self) -> bool:
+        """Whether it stops after a word was read."""
+        return self.kind == DATA and self._access in ("read", "readWrite")
 
     def described(self, places: Places) -> Body:
         """Return the protocol's Breakpoint."""
@@ -185,8 +191,8 @@ class Breakpoints:
         """Let a watch stop a run at these alone."""
         placed = [(point, point.address) for point in self if point.address is not None]
         watch.breakpoints = {address for point, address in placed if point.kind != DATA}
-        watch.writes = {address for point, address in placed if point.kind == DATA and point.access in WRITE}
-        watch.reads = {address for point, address in placed if point.kind == DATA and point.access in READ}
+        watch.writes = {address for point, address in placed if point.writes}
+        watch.reads = {address for point, address in placed if point.reads}
 
     def stopped(self, machine: Machine) -> list[Point]:
         """Return those at which a run to where a machine stands has stopped, or would have."""
@@ -196,9 +202,10 @@ class Breakpoints:
         """Return the breakpoints that a machine stands at, whatever their conditions."""
         p, watch = machine.processor, machine.watch
         places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
-        touched = {"write": watch.written, "read": watch.read, "readWrite": watch.written | watch.read}
         return [
             point
             for point in self
-            if point.address in (touched.get(point.access, ()) if point.kind == DATA else places)
+            if (point.kind != DATA and point.address in places)
+            or (point.writes and point.address in watch.written)
+            or (point.reads and point.address in watch.read)
         ]

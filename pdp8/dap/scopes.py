@@ -136,7 +136,7 @@ def evaluate(room: Debuggee, arguments: Body) -> Body:
 def set_expression(room: Debuggee, arguments: Body) -> Body:
     """Set a register, or the word at a symbol or an address; return it as it is then."""
     monitor, name, value = room.monitor, arguments["expression"].strip(), arguments["value"].strip()
-    if hands.register(name) in hands.REGISTERS and name.upper() not in monitor.listing.symbols:
+    if hands.is_register(monitor, name):
         hands.set_(monitor, name, value)
     else:
         monitor.machine.core[monitor.address(name)] = monitor.address(value)
