@@ -31,10 +31,7 @@ export function rove(row) {
   const controls = [...row.querySelectorAll("button")];
   const at = () => Math.max(0, controls.findIndex((control) => control.tabIndex === 0 && !control.disabled));
   const choose = (chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));
-  new ResizeObserver(() => {
-    if (!controls[at()].checkVisibility()) choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
-  }).observe(row);
-  choose(0);
+  choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
   row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target.closest("button")))));
   row.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
