@@ -18,7 +18,7 @@ import signal
 import sys
 from importlib import import_module
 
-_SELDOM = 1_000_000
+_SELDOM = 50_000
 
 
 def main() -> None:
