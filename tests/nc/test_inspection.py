@@ -79,6 +79,7 @@ def test_the_walls_are_those_shapely_finds(curve: Ellipse, radius: float) -> Non
             assert found.inner[at] - radius == pytest.approx(inward, abs=0.01)
 
 
+@pytest.mark.slow("Shapely cuts a part twice, 18 s")
 @pytest.mark.parametrize("side", ["above", "below"])
 def test_a_surface_is_measured_where_its_part_has_it(side: str) -> None:
     """The wall of sin(x) + 1 on the part's side, by shapely; a tenth of an inch less at the ends."""

@@ -46,6 +46,7 @@ def test_a_session_goes_as_it_is_shown(session: str, folder: Path, shell: Shell)
     assert seen == session.rstrip()
 
 
+@pytest.mark.slow("each source is a process")
 def test_every_source_through_a_pipe_gives_decs_tape_and_listing(folder: Path) -> None:
     """Our cases, which DEC's assembler did not see, give what the call makes of them."""
     for path in [*sorted(EXAMPLES.glob("*.pal")), *sorted(HERE.glob("cases/*.pal"))]:

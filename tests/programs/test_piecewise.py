@@ -52,6 +52,7 @@ def off_the_polynomial(across: float, up: float) -> float:
     return (up - 6000 - 200 * u * (u - 2) * (u - 6)) / 10
 
 
+@pytest.mark.slow("the piece-wise technique in three parts, 12 s")
 @pytest.mark.parametrize(
     ("part", "off"), [(circle.part, off_the_circle), (polynomial.part, off_the_polynomial)]
 )
@@ -74,6 +75,7 @@ def test_fewer_blocks_than_step_by_step_and_more_the_worse_the_feeds() -> None:
     assert [*counts, piece(circle.part).count("\n"), circle.part().count("\n")] == [61, 192, 277, 666]
 
 
+@pytest.mark.slow("the piece-wise technique round two contours, 11 s")
 @pytest.mark.parametrize("part", [circle.part, ellipse.part, die.part])
 def test_a_closed_contour_closes(part: Callable[..., str]) -> None:
     path = milled(piece(part))

@@ -24,6 +24,7 @@ REFUSED = {
 """What each question of the panel refuses: the tape for the reader, the name of the tape that is torn off."""
 
 
+@pytest.mark.slow("each name is typed into the panel, 10 s")
 @scene(program="eia.pal", reader="circle.asc")
 async def test_a_name_that_is_refused_changes_nothing(room: Room, pilot: Pilot[None]) -> None:
     session = room.session

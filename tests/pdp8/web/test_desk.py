@@ -217,6 +217,7 @@ new PerformanceObserver((list) => list.getEntries().forEach((each) => {
 })).observe({ type: "layout-shift", buffered: true });"""
 
 
+@pytest.mark.slow("opens six pages, and waits")
 @pytest.mark.parametrize("opens", ["workbench", "t=3000"])
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (1366, 768), (1920, 1080)])
 def test_nothing_moves_while_it_opens(

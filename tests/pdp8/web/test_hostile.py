@@ -99,6 +99,7 @@ def test_files(page: Page) -> None:
     _clean(page)
 
 
+@pytest.mark.slow("each word, key and device of a state, 12 s")
 def test_a_state(page: Page) -> None:
     """Each word, key and device of one; the message quotes it."""
     state = json.loads(save(Machine(highspeed=True)))

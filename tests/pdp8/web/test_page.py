@@ -55,6 +55,7 @@ _SHOWN = """() => {
 }"""
 
 
+@pytest.mark.slow("a hundred instants of the page, 20 s")
 def test_any_instant_is_that_of_the_machine(page: Page, circle: Afternoon) -> None:
     """In any order: lamps, switches, registers, current line, all of its state, as one that goes forward."""
     steps = [_translating(circle, 0.0773 + step * 0.00004) for step in range(30)]
@@ -164,6 +165,7 @@ _LIVE = """() => {  // as at the first visit
 }"""
 
 
+@pytest.mark.slow("six sizes of screen, 5 s")
 def test_it_fits_from_a_telephone_to_a_projector(page: Page, circle: Afternoon) -> None:
     """In every act and on every tab nothing is cut off; targets have 24 pixels, letters 11."""
     for width in (320, 390, 720, 768, 1024, 1261, 1280, 1366, 1440, 1920):

@@ -5,6 +5,8 @@ import shlex
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from pdp8.web import parts
 from tapes import ascii
 from tests.conftest import Call
@@ -42,6 +44,7 @@ def _line(name: str, typed: dict[str, Any]) -> str:
     return shlex.join(["pdp8", "part", name, *words])
 
 
+@pytest.mark.slow("each part with each of its options, 15 s")
 @needs_node
 def test_the_page_punches_and_refuses_what_the_command_does(call: Call) -> None:
     declared = {part["name"]: part for part in parts.declared()}

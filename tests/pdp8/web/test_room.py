@@ -161,6 +161,7 @@ def test_the_lamps_are_drawn(room: Page) -> None:
         assert lit == [bool(word >> (11 - bit) & 1) for bit in range(12)]
 
 
+@pytest.mark.slow("the camera comes to rest, 10 s")
 def test_what_stands_still_costs_nothing(room: Page) -> None:
     """Paused, or taken and halted: when camera and filaments have come to rest no picture is asked for."""
     for act in ("", "workbench.room.take(); workbench.machine.panel.stop(); workbench.touched();"):
@@ -170,6 +171,7 @@ def test_what_stands_still_costs_nothing(room: Page) -> None:
         assert room.evaluate(_FRAMES) == 0, act
 
 
+@pytest.mark.slow("the camera rests three times, 12 s")
 def test_what_is_looked_at_is_drawn_for_its_size(room: Page) -> None:
     """Also where the camera has come a little nearer, or gone back again."""
     for part in (0.1, 0.5, 0.9):
@@ -191,6 +193,7 @@ def test_where_nothing_shall_move(browser: Browser, file: Path) -> None:
         assert page.evaluate(_FRAMES) == 0
 
 
+@pytest.mark.slow("six sizes of screen, 10 s")
 def test_every_target_is_large_enough(browser: Browser, file: Path) -> None:
     """From a small telephone to a wall: all that is told is on the screen; choices have 44 pixels, marks and
     switches 24.
