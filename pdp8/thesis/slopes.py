@@ -133,7 +133,8 @@ def _technique(
     for number, stop in enumerate(stops, 1):
         name = "B" if number == len(stops) else "CDEFGHIJKLMN"[number - 1]
         view.circle(*stop, 28, fill=_PATH)
-        _name(view, stop, name, 7, 16) if number % 2 == 0 else _name(view, stop, name, -14, -7)
+        beside = (9, 2) if number == len(stops) - 1 else (-14, -7) if number % 2 else (7, 16)
+        _name(view, stop, name, *beside)
     view.circle(*run[0], 28, fill=_PATH)
     _name(view, run[0], "A", -15, 14)
     return sheet.svg()

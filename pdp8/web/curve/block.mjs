@@ -67,10 +67,10 @@ function meaning(digits) {
 
 export function computer(record) {
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
-  const run = (block) => made("characters", record.words, `${lines()[block - 1]}\n`);
-  const words = { block: (number) => `${number} of ${lines().length}`, character: (at, { block }) => `${at + 1} of 27: ${shown(run(block)[at].character)}` };
-  const figure = new Figure("translating", ({ block, character: at }, width) => {
-    const done = run(block);
+  const run = (place) => made("characters", record.words, `${lines()[Math.floor(place / ROWS)]}\n`);
+  const character = (place) => `${(place % ROWS) + 1} of ${ROWS} of block ${Math.floor(place / ROWS) + 1}: ${shown(run(place)[place % ROWS].character)}`;
+  const figure = new Figure("translating", ({ character: place }, width) => {
+    const [done, at] = [run(place), place % ROWS];
     const pitch = Math.min(20, (width - 2) / (ROWS + 0.5));
     const punched = done.slice(0, at + 1).filter((each) => each.punched !== null).map((each) => each.punched);
     const [reader, tall] = tape(done.map(({ character }) => character), { x: 0, y: 20 }, pitch, at);
@@ -78,7 +78,7 @@ export function computer(record) {
     const content = text(0, 12, "under the reader", 'class="small"') + reader + text(0, tall + 42, "out of the punch", 'class="small"') + punch;
     const held = { box: { x: 0, y: 20, width, height: tall }, to: ({ dx, start }) => start + dx / pitch };
     return [content, 2 * tall + 58, told(done[at], listing), { character: held }];
-  }, words);
+  }, { character });
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
   button.addEventListener("click", async () => {
     button.disabled = true;

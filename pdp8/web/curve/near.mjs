@@ -1,11 +1,12 @@
 // The circle, looked at from nearer and nearer: round from afar, a staircase at last.
 
 import { CENTRE, RADIUS } from "../method.mjs";
-import { Figure, mils, onCircle } from "./drawing.mjs";
+import { Figure, grownBack, mils, onCircle } from "./drawing.mjs";
 import { CIRCLE, made } from "./made.mjs";
 import { clipped, text, View } from "../svg.mjs";
 
 const PLACE = onCircle(146);
+const NEAREST = 250;
 
 export function near() {
   return new Figure("near", ({ near: times }, width) => picture(made("circle", 5, true).way, times, width));
@@ -14,7 +15,8 @@ export function near() {
 function picture(way, times, width) {
   const height = Math.min(420, Math.round(width * 0.72));
   const half = 2000 / times;
-  const pull = 1 - 1 / times ** 2; // from the circle's centre to the place
+  const afar = 1 - grownBack(times, NEAREST) / 100;
+  const pull = 1 - afar / times; // from the circle's centre to the place, which comes to the middle evenly
   const middle = { x: CENTRE + (PLACE.x - CENTRE) * pull, y: CENTRE + (PLACE.y - CENTRE) * pull };
   const wide = (half * width) / height;
   const box = { x: 0, y: 0, width, height };
@@ -25,7 +27,8 @@ function picture(way, times, width) {
   const band = view.circle(CIRCLE, `class="ring" style="stroke-width:${Math.max(0.5, 10 * view.sx)}"`);
   const dots = times > 25 ? seen.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
   const drawn = band + limit(5) + limit(-5) + view.line(times < 4 ? way : seen, 'class="way"') + dots;
-  return [clipped(box, drawn) + scale(view, width, height), height, said(times, inside(0).length)];
+  const hold = { x: view.x(PLACE.x), y: view.y(PLACE.y), to: ({ x }) => 100 * (1 - (x - width / 2) / (((PLACE.x - CENTRE) * height) / 4000)) };
+  return [clipped(box, drawn) + scale(view, width, height), height, said(times, inside(0).length), { near: hold }];
 }
 
 function scale(view, width, height) {

@@ -9,6 +9,7 @@ import { troughToPeak } from "./walls.mjs";
 
 const ARC = (RADIUS * Math.PI) / 2;
 const STATIONS = 1800;
+const SLOWEST = 1; // the code of the slowest feed, by which the chart is scaled
 const RIM = 16; // pixels from the cutter's rim to the ring that makes it larger
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
 const quarter = (tolerance, feed) => madeOf("quarter", tolerance, feed);
@@ -31,13 +32,15 @@ export function curved() {
 /** What a tolerance costs: a bar for each, to be taken by its top. */
 export function costs() {
   return new Figure("costs", ({ tolerance, feed: code }, width) => {
-    const chart = { x: 40, y: 40, width: width - 60, height: 170 };
+    const chart = { x: 40, y: 50, width: width - 60, height: 170 };
     const all = [...new Set([...COMPARED, tolerance])].sort((a, b) => a - b);
     const { blocks, reading, milling, minutes: took } = quarter(tolerance, code);
+    const most = quarter(all[0], SLOWEST).minutes;
     const wide = chart.width / all.length;
     const to = ({ x }) => grownBack(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))], 50);
-    const hold = { x: chart.x + (all.indexOf(tolerance) + 0.5) * wide, y: chart.y + chart.height + 28, to };
-    return [compared(all, tolerance, code, chart), chart.y + chart.height + 42, html`±${mils(tolerance)} in: <b>${blocks} blocks</b>, reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>.`, { tolerance: hold }];
+    const [x, floor] = [chart.x + (all.indexOf(tolerance) + 0.5) * wide, chart.y + chart.height];
+    const holds = { tolerance: { x, y: floor + 28, to }, feed: { x, y: floor - (chart.height * took) / most, to: ({ dy, start }) => start + dy / 5 } };
+    return [compared(all, tolerance, code, most, chart), chart.y + chart.height + 42, html`±${mils(tolerance)} in: <b>${blocks} blocks</b>, reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>.`, holds];
   });
 }
 
@@ -103,9 +106,8 @@ function unrolled({ way }, { outer, inner }, tolerance, place, box) {
 }
 
 /** Minutes for each tolerance: the reading below, the cutting above it. */
-function compared(all, tolerance, code, box) {
+function compared(all, tolerance, code, most, box) {
   const made = all.map((each) => quarter(each, code));
-  const most = Math.max(...made.map(({ minutes: took }) => took));
   const wide = box.width / all.length;
   const up = (value) => (box.height * value) / most;
   const bars = made.map(({ reading, milling, blocks }, n) => {
@@ -113,10 +115,10 @@ function compared(all, tolerance, code, box) {
     const now = all[n] === tolerance ? " now" : "";
     const middle = x + width / 2;
     return rect({ x, y: floor - up(reading), width, height: up(reading) }, `class="reading${now}"`) + rect({ x, y: floor - up(reading + milling), width, height: up(milling) }, `class="cutting${now}"`) +
-      text(middle, floor + 13, mils(all[n]), `class="small${now}" text-anchor="middle"`) + text(middle, floor - up(reading + milling) - 4, String(blocks), `class="small${now}" text-anchor="middle"`);
+      text(middle, floor + 13, mils(all[n]), `class="small${now}" text-anchor="middle"`) + text(middle, floor - up(reading + milling) - (now ? 15 : 4), String(blocks), `class="small${now}" text-anchor="middle"`);
   });
   const floor = box.y + box.height;
   const axis = `<path d="M${box.x} ${box.y}V${floor}H${box.x + box.width}" class="axis"/>` + text(box.x - 5, box.y + 6, most.toFixed(0), 'class="small" text-anchor="end"') + text(box.x - 5, floor, "0", 'class="small" text-anchor="end"');
-  const legend = `<text x="0" y="${box.y - 20}" class="small">minutes: <tspan class="t-reading">reading</tspan> and <tspan class="t-cutting">cutting</tspan>; above, blocks; below, tolerance</text>`;
+  const legend = `<text x="0" y="${box.y - 34}" class="small">minutes: <tspan class="t-reading">reading</tspan> and <tspan class="t-cutting">cutting</tspan>; above, blocks; below, tolerance</text>`;
   return legend + axis + bars.join("");
 }

@@ -1,11 +1,13 @@
 // What the Talyrond sees: the walls of the circle's groove, their errors magnified and nothing else.
 
+import { RADIUS } from "../method.mjs";
 import { Figure, mils } from "./drawing.mjs";
 import { made } from "./made.mjs";
 import { html } from "../html.mjs";
 import { clipped, text } from "../svg.mjs";
 import { troughToPeak } from "./walls.mjs";
 
+const ASLANT = Math.SQRT1_2;
 const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
 /** @type {[string, number, number][]} */
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
@@ -17,15 +19,31 @@ export function roundness() {
     const mean = height * 0.29;
     const scale = (times * height) / PAPER;
     const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
-    return [clipped({ x: 0, y: 0, width, height }, content), height, said(wall, closed)];
+    const [work, aside] = plan(width, height, cutter);
+    const ring = 5 * scale + mean;
+    const holds = {
+      times: { x: width / 2 + ring * ASLANT, y: height / 2 - ring * ASLANT, to: ({ dx, dy, start }) => start + ((dx - dy) * ASLANT * PAPER) / (5 * height) },
+      cutter: { x: width / 2 - aside, y: height / 2, to: ({ dx, start }) => start + dx / 4 },
+    };
+    return [clipped({ x: 0, y: 0, width, height }, content + work), height, said(wall, closed), holds];
   });
+}
+
+/** The work from above, in the middle: the groove and the cutter where it begins. With the place of the cutter's ring. */
+function plan(width, height, cutter) {
+  const radius = height * 0.06;
+  const size = (cutter * 1000 * radius) / 32 / RADIUS;
+  const circle = (x, r, attributes) => `<circle cx="${x.toFixed(1)}" cy="${height / 2}" r="${r.toFixed(1)}" ${attributes}/>`;
+  const groove = circle(width / 2, radius, `class="groove" style="stroke-width:${2 * size}"`);
+  const walls = circle(width / 2, radius + size, 'class="outer"') + circle(width / 2, radius - size, 'class="inner"');
+  return [groove + walls + circle(width / 2 - radius, size, 'class="tool"'), radius];
 }
 
 function rings(x, y, mean, scale, height) {
   const rings_ = [];
   for (let off = -20; off <= 20; off++) {
     const radius = mean + off * scale;
-    if (radius < 8 || radius > height * 0.42 || (scale < 3 && off % 5)) continue;
+    if (radius < height * 0.1 || radius > height * 0.42 || (scale < 3 && off % 5)) continue;
     rings_.push(`<circle cx="${x}" cy="${y}" r="${radius.toFixed(1)}" class="${off === 0 ? "intended" : off % 5 ? "division" : "heavy"}"/>`);
   }
   return rings_.join("");

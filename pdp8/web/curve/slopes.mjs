@@ -1,5 +1,6 @@
 // Chapter 3's slope: one instruction misses it, pieces come near, steps stay in the band whatever the feeds do.
 
+import { XY_FEED } from "../../../tapes/hydrapoint.mjs";
 import { SLOPE } from "../method.mjs";
 import { Figure, grownBack, inch, minutes, straightened } from "./drawing.mjs";
 import { made } from "./made.mjs";
@@ -47,35 +48,59 @@ function named(view, place, name, dx, dy) {
   return view.dot(place, 3.2, 'class="stop"') + text(view.x(place.x) + dx, view.y(place.y) + dy, name, 'class="name"');
 }
 
+/** Every ratio of two feeds, by the slowest pair that has it: the codes of X and Y, and the angle. */
+const PAIRS = [...XY_FEED.items()].flatMap(([x, across]) => [...XY_FEED.items()].map(([y, up]) => ({ x, y, angle: Math.atan2(up, across) })))
+  .filter(({ angle }, n, all) => all.findIndex((pair) => Math.abs(pair.angle - angle) < 1e-9) === n)
+  .sort((one, other) => one.angle - other.angle);
+
 export function one() {
-  return new Figure("one", ({ x, y, dx, dy }, width) => {
+  return new Figure("one", ({ pair, error }, width) => {
     const [view, height] = plan(width);
-    const { way } = made("pieces", 1, x, y, dx / 100, dy / 100);
-    const extreme = [[0.2, -0.2], [-0.2, 0.2]].map(([a, b]) => furthest(made("pieces", 1, x, y, a, b).way).where);
-    const cone = view.line([FROM, extreme[0], TO, extreme[1]], 'class="cone"', true);
+    const { x, y, angle } = PAIRS[pair];
+    const cut = (by) => made("pieces", 1, x, y, by / 100, -by / 100).way;
+    const way = cut(error);
+    const cone = view.line([FROM, cut(20)[1], TO, cut(-20)[1]], 'class="cone"', true);
     const { worst, where } = furthest(way);
-    const angle = (Math.atan2(where.y - FROM.y, where.x - FROM.x) * 180) / Math.PI;
+    const leaves = Math.atan2(way[1].y - FROM.y, way[1].x - FROM.x);
     const miss = worst < 0.5 ? "" : view.line([where, at(beside(where).x)], 'class="miss"');
-    const content = cone + ends(view) + miss + view.line(way, 'class="way"');
-    return [content, height, html`It leaves A at <b>${angle.toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`];
-  });
+    const content = cone + ends(view) + miss + (error ? view.line([FROM, cut(0)[1]], 'class="way thin"') : "") + view.line(way, 'class="way"');
+    const aimed = (place) => Math.atan2(view.y(FROM.y) - place.y, Math.max(1, place.x - view.x(FROM.x)));
+    const holds = {
+      pair: { x: view.x(FROM.x + 2400 * Math.cos(angle)), y: view.y(FROM.y + 2400 * Math.sin(angle)), to: (place) => nearest(aimed(place)) },
+      error: { x: view.x(way[1].x), y: view.y(way[1].y), to: (place) => wrong(Math.tan(angle) / Math.tan(Math.max(0.01, aimed(place)))) },
+    };
+    return [content, height, html`It leaves A at <b>${((leaves * 180) / Math.PI).toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`, holds];
+  }, { pair: (number) => [PAIRS[number].x, PAIRS[number].y].map((code) => XY_FEED.at(code).toFixed(1)).join(" over ") });
 }
+
+/** The pair of feeds that goes nearest to an angle. */
+function nearest(aimed) {
+  return PAIRS.reduce((best, { angle }, n) => (Math.abs(angle - aimed) < Math.abs(PAIRS[best].angle - aimed) ? n : best), 0);
+}
+
+/** By how many percent X is too fast and Y too slow, if X over Y is so many times what it should be. */
+const wrong = (times) => (100 * (times - 1)) / (times + 1);
 
 export function piecewise({ fewest: frames }) {
   return new Figure("piecewise", ({ pieces: asked, error, fewest: proved }, width) => {
     const [view, height] = plan(width);
-    const { way, stops, minutes: took } = proved ? made("fewest", frames, error / 100, -error / 100) : made("pieces", asked, 2, 1, error / 100, -error / 100);
+    const cut = (by) => (proved ? made("fewest", frames, by / 100, -by / 100) : made("pieces", asked, 2, 1, by / 100, -by / 100));
+    const { way, stops, minutes: took } = cut(error);
     const count = proved ? stops.length : asked;
     const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
     const { worst } = furthest(way);
-    const reach = Math.max(1.7 * BAND, 1.15 * worst);
+    const flat = way.map(beside);
+    const reach = Math.max(1.7 * BAND, 1.15 * furthest(cut(20).way).worst);
     const box = { x: 8, y: height + 24, width: width - 62, height: 120 };
-    const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[way.map(beside), "way"]]);
+    const content = ends(view) + view.line(way, 'class="way"') + dots + title(box, reach) + straightened(box, LENGTH, BAND, reach, [[flat, "way"]]);
     const inside = worst <= BAND;
+    const middle = flat.filter(({ x }) => Math.abs(x - LENGTH / 2) <= LENGTH / count);
+    const bend = middle.reduce((most, place) => (Math.abs(place.y) > Math.abs(most.y) ? place : most));
     const next = stops.find(({ x }) => x > FROM.x);
-    const first = { x: view.x(next.x), y: view.y(next.y), to: ({ x, y }) => grownBack(LENGTH / Math.max(1, beside(view.place(x, y)).x), 250) };
+    const holds = { error: { x: box.x + (box.width * bend.x) / LENGTH, y: box.y + (box.height / 2) * (1 - bend.y / reach), to: ({ dy, start }) => start + dy / 2 } };
+    if (!proved) holds.pieces = { x: view.x(next.x), y: view.y(next.y), to: ({ x, y }) => grownBack(LENGTH / Math.max(1, beside(view.place(x, y)).x), 250) };
     const verdict = inside ? html`<b class="good">inside the band</b>` : html`<b class="bad">outside the band</b>`;
-    return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`, proved ? {} : { pieces: first }];
+    return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`, holds];
   }, { pieces: (count, { fewest: proved }) => (proved ? "as proved" : String(count)) });
 }
 

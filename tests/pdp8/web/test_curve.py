@@ -125,6 +125,10 @@ _TYPED = """["heights", "tolerance"].map((name) =>
   document.querySelector(`#part-options [name=${name}]`).value)"""
 
 
+_SLIDERS = """[...document.querySelectorAll(".live label:not(.held) [type=range]")].map(
+  (input) => [input.closest("figure").id, input.name])"""
+
+
 def _off(place: Position) -> float:
     return (place.y - 4000) * 4330 - (place.x - 4000) * 2500
 
@@ -153,6 +157,10 @@ def test_a_figure_is_computed_when_it_comes_near(page: Page) -> None:
 @pytest.mark.parametrize(
     ("figure", "name", "by"),
     [
+        ("near", "near", (40, 30)),
+        ("one", "pair", (-40, -60)),
+        ("one", "error", (0, 30)),
+        ("piecewise", "error", (0, -30)),
         ("piecewise", "pieces", (60, -30)),
         ("stepwise", "tolerance", (0, 90)),
         ("stepwise", "angle", (-20, 60)),
@@ -160,9 +168,12 @@ def test_a_figure_is_computed_when_it_comes_near(page: Page) -> None:
         ("curved", "tolerance", (-60, -20)),
         ("curved", "cutter", (30, 20)),
         ("costs", "tolerance", (90, 0)),
+        ("costs", "feed", (0, 40)),
         ("whole", "time", (40, 80)),
         ("holes", "block", (-120, 0)),
         ("translating", "character", (60, 0)),
+        ("roundness", "times", (10, -10)),
+        ("roundness", "cutter", (30, 0)),
         ("own", "place", (60, 0)),
         ("own", "tolerance", (0, -15)),
     ],
@@ -259,9 +270,10 @@ def test_a_curve_drawn_by_hand_stays_in_its_band() -> None:
 
 
 def test_each_control_changes_its_figure(page: Page) -> None:
-    """Every slider by the keyboard, every box: what is drawn or said is another. Nothing is too wide.
+    """Every input by the keyboard: what is drawn or said is another; its ring is seen to have the focus.
 
-    A button translates the whole tape.
+    One slider is seen: that of wrong feeds, where nothing drawn changes. Nothing is too wide. A button
+    translates the whole tape.
     """
     inputs = page.locator(".live input").all()
     assert len(inputs) > 15
@@ -270,9 +282,12 @@ def test_each_control_changes_its_figure(page: Page) -> None:
         before = _shown(figure)
         upper = control.evaluate("({ value, max }) => value > max / 2")
         control.focus()
+        if control.evaluate("(input) => !!input.closest('.held')"):
+            figure.locator(f"[data-hold={control.get_attribute('name')}].on").wait_for()
         box = control.get_attribute("type") == "checkbox"
         page.keyboard.press("Space" if box else "PageDown" if upper else "PageUp")
         assert _changes(figure, before), control.get_attribute("name")
+    assert page.evaluate(_SLIDERS) == [["stepwise", "dx"]]
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert not any("<" in each.inner_text() for each in page.locator(".said").all())
     click(page, "#translate")
