@@ -68,7 +68,7 @@ function meaning(digits) {
 export function computer(record) {
   const listing = new Map(record.listing.map(([address, word, source]) => [`${address} ${word}`, source]));
   const run = (place) => made("characters", record.words, `${lines()[Math.floor(place / ROWS)]}\n`);
-  const character = (place) => `${(place % ROWS) + 1} of ${ROWS} of block ${Math.floor(place / ROWS) + 1}: ${shown(run(place)[place % ROWS].character)}`;
+  const named = (place) => `${(place % ROWS) + 1} of ${ROWS} of block ${Math.floor(place / ROWS) + 1}: ${shown(run(place)[place % ROWS].character)}`;
   const figure = new Figure("translating", ({ character: place }, width) => {
     const [done, at] = [run(place), place % ROWS];
     const pitch = Math.min(20, (width - 2) / (ROWS + 0.5));
@@ -78,7 +78,7 @@ export function computer(record) {
     const content = text(0, 12, "under the reader", 'class="small"') + reader + text(0, tall + 42, "out of the punch", 'class="small"') + punch;
     const held = { box: { x: 0, y: 20, width, height: tall }, to: ({ dx, start }) => start + dx / pitch };
     return [content, 2 * tall + 58, told(done[at], listing), { character: held }];
-  }, { character });
+  }, { character: named });
   const [button, said] = [document.getElementById("translate"), document.getElementById("translated")];
   button.addEventListener("click", async () => {
     button.disabled = true;

@@ -8,6 +8,7 @@ import { clipped, text } from "../svg.mjs";
 import { troughToPeak } from "./walls.mjs";
 
 const ASLANT = Math.SQRT1_2;
+const WORK = 0.06; // of the drawing's height, the radius of the work in its middle
 const PAPER = 10000; // thousandths of an inch that the drawing is wide, at the instrument
 /** @type {[string, number, number][]} */
 const PLACES = [["+X", 0, 10], ["45°", 45, 5], ["+Y", 90, 10], ["135°", 135, 5], ["−X", 180, 10], ["225°", 225, 5], ["−Y", 270, 10], ["315°", 315, 5]];
@@ -19,24 +20,23 @@ export function roundness() {
     const mean = height * 0.29;
     const scale = (times * height) / PAPER;
     const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
-    const [work, aside] = plan(width, height, cutter);
     const ring = 5 * scale + mean;
     const holds = {
       times: { x: width / 2 + ring * ASLANT, y: height / 2 - ring * ASLANT, to: ({ dx, dy, start }) => start + ((dx - dy) * ASLANT * PAPER) / (5 * height) },
-      cutter: { x: width / 2 - aside, y: height / 2, to: ({ dx, start }) => start + dx / 4 },
+      cutter: { x: width / 2 - height * WORK, y: height / 2, to: ({ dx, start }) => start + dx / 4 },
     };
-    return [clipped({ x: 0, y: 0, width, height }, content + work), height, said(wall, closed), holds];
+    return [clipped({ x: 0, y: 0, width, height }, content + plan(width, height, cutter)), height, said(wall, closed), holds];
   });
 }
 
-/** The work from above, in the middle: the groove and the cutter where it begins. With the place of the cutter's ring. */
+/** The work from above, in the middle: the groove and the cutter where it begins. */
 function plan(width, height, cutter) {
-  const radius = height * 0.06;
+  const radius = height * WORK;
   const size = (cutter * 1000 * radius) / 32 / RADIUS;
   const circle = (x, r, attributes) => `<circle cx="${x.toFixed(1)}" cy="${height / 2}" r="${r.toFixed(1)}" ${attributes}/>`;
   const groove = circle(width / 2, radius, `class="groove" style="stroke-width:${2 * size}"`);
   const walls = circle(width / 2, radius + size, 'class="outer"') + circle(width / 2, radius - size, 'class="inner"');
-  return [groove + walls + circle(width / 2 - radius, size, 'class="tool"'), radius];
+  return groove + walls + circle(width / 2 - radius, size, 'class="tool"');
 }
 
 function rings(x, y, mean, scale, height) {
