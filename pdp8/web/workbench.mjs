@@ -18,7 +18,7 @@ import { Editor } from "./bench/editor.mjs";
 import { Exercises } from "./bench/exercises.mjs";
 import { located, marks } from "./bench/marker.mjs";
 import { Mill } from "./bench/mill.mjs";
-import { Parts, printout } from "./bench/parts.mjs";
+import { Parts, printout, translated } from "./bench/parts.mjs";
 import { Registers } from "./bench/registers.mjs";
 import { Session } from "./bench/session.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
@@ -248,7 +248,7 @@ class Bench {
   /** Take what a file in JSON is. */
   #written(name, what, text) {
     if (what.task) this.exercises.take(name, what);
-    else if (what.program || what.machine || what.tape) this.#open(what);
+    else if (what.program || what.machine || what.part) this.#open(what);
     else this.#restore(text);
   }
 
@@ -320,7 +320,7 @@ class Bench {
   }
 
   /** Open what a link or a file of a session holds. */
-  #open({ program, machine, exercise, until, tape, part }) {
+  #open({ program, machine, exercise, until, part }) {
     if (typeof exercise === "string") this.exercises.open(exercise);
     else if (exercise) this.exercises.take(exercise.name, exercise.tables);
     if (exercise) this.tabs.open("exercises");
@@ -329,8 +329,8 @@ class Bench {
     if (part) {
       this.tabs.open("parts");
       this.parts.choose(String(part.name), part.typed);
+      if (part.tape) this.parts.mill(String(part.tape));
     }
-    if (tape) this.#tape(this.shelf.put(String(tape.name), bytes(tape.frames)));
     if (!machine) return;
     const state = JSON.stringify(this.whole(machine));
     if (until === undefined) this.#restore(state);
@@ -389,4 +389,4 @@ async function start() {
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked, located, loosened, marks, printout });
+else serve({ booted, checked, located, loosened, marks, printout, translated });

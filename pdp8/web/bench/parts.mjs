@@ -18,14 +18,18 @@ import * as profile from "../../../programs/profile.mjs";
 import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
+import { decode } from "../../../tapes/binary.mjs";
+import { Machine } from "../../computer/machine.mjs";
 import { ours, put } from "../html.mjs";
 import { Pad } from "../pad.mjs";
 import { clipped, rect } from "../svg.mjs";
+import { bytes } from "../translator/runtime.mjs";
 import { find, grouped } from "../written.mjs";
 
 const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
 const SECONDS = 10; // that a printout may take
+const TRANSLATION = 60;
 const FRAMES_A_MINUTE = 600; // of the ASR-33
 
 /** What is kept for an option as it was typed; undefined: as it is by itself. */
@@ -46,6 +50,16 @@ export function printout({ name, options, arguments: places }, typed) {
   const values = Object.fromEntries(options.map((option) => [option.name, kept(option, typed[option.name])]));
   const record = (kind, fields) => new RECORDS[kind](...fields.map((field) => values[field]));
   return PROGRAMS[name].part(...places.map(([place, kind, fields]) => (kind ? record(kind, fields) : values[place])));
+}
+
+/** The EIA tape that eia.pal, on its BIN tape, makes of a printout. */
+export function translated(program, text) {
+  const machine = new Machine();
+  machine.load(decode(bytes(program)).words.items());
+  machine.start(0o200);
+  machine.teletype.reader.load(encode(text));
+  machine.run();
+  return Uint8Array.from(machine.teletype.punch.tape);
 }
 
 export class Parts {
@@ -91,11 +105,29 @@ export class Parts {
     find("part-options").querySelector("[name=heights]").value = pad.text;
   }
 
-  async punch() {
-    const typed = Object.fromEntries([...find("part-options").querySelectorAll("[name]")].map(
+  /** What of the part that is chosen has been typed, {name: text}. */
+  get typed() {
+    return Object.fromEntries([...find("part-options").querySelectorAll("[name]")].map(
       (input) => [input.name, input.type === "checkbox" ? input.checked : input.value.trim()],
     ));
-    const { part, bench } = this;
+  }
+
+  /** Mill the EIA tape of the part that is chosen; it is made apart from the page, and the machine is left alone. */
+  async mill(name) {
+    const { apart, mill, shelf } = this.bench;
+    const said = find("part-is-cut");
+    said.textContent = "The part program and eia.pal are running.";
+    try {
+      const text = await apart.ask("printout", [this.part, this.typed], SECONDS);
+      mill.cut(shelf.put(name, bytes(await apart.ask("translated", [shelf.get("eia.bin").frames, text], TRANSLATION))));
+      said.textContent = mill.summary;
+    } catch (error) {
+      said.textContent = error.message;
+    }
+  }
+
+  async punch() {
+    const { part, typed, bench } = this;
     find("part-translate").disabled = find("part-cut").disabled = true;
     find("part-translated").textContent = find("part-is-cut").textContent = "";
     try {

@@ -1,4 +1,4 @@
-// Links: #s= holds a program, the machine, an exercise, a tape, a part; #exercise= the name of a bundled one. A bundled tape goes by its
+// Links: #s= holds a program, the machine, an exercise, a part; #exercise= the name of a bundled one. A bundled tape goes by its
 // name, and of the machine only what is not as at power-up.
 
 import { packed, unpacked } from "../packed.mjs";

@@ -1,6 +1,6 @@
 // Draw your own: a finger's curve through the part program, eia.pal on the PDP-8/L and the Hydra-Point.
 
-import { linked, LONGEST } from "../bench/sharing.mjs";
+import { linked } from "../bench/sharing.mjs";
 import { Figure, mils, minutes, straightened } from "./drawing.mjs";
 import { html } from "../html.mjs";
 import { Pad } from "../pad.mjs";
@@ -50,9 +50,8 @@ export function own(record, save, open) {
     if (!printout) return;
     waits = setTimeout(async () => {
       const { frames: punched, minutes: took, same } = await answered("translated", record.words, printout);
-      const part = { name: "drawn", typed: { heights: pad.text, tolerance: String(tolerance / 1000) } };
-      const whole = await linked({ tape: { name: NAME, frames: [...punched] }, part }, record.workbench);
-      const link = whole.length > LONGEST ? await linked({ part }, record.workbench) : whole; // then it is punched there
+      const part = { name: "drawn", typed: { heights: pad.text, tolerance: String(tolerance / 1000) }, tape: NAME };
+      const link = await linked({ part }, record.workbench);
       if (printout !== last) return;
       frames = punched;
       save.disabled = false;

@@ -202,35 +202,42 @@ def test_what_has_a_ring_is_dragged_in_the_drawing(
     assert page.evaluate("document.activeElement.name") == name
 
 
-def test_an_own_curve_goes_through_the_whole_chain(page: Page) -> None:
+@pytest.mark.parametrize(("waves", "band", "least"), [(1, "70", 20), (18, "31", 1500)])
+def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band: str, least: int) -> None:
     """A stroke across the frame: a part program, eia.pal, the Hydra-Point; the workbench opens its tape.
 
-    There it is milled, and the curve is a part program: it punches the same tape.
+    There it is milled, and the curve is a part program: it punches the same tape. The link is as short for
+    many blocks.
     """
     own = page.locator("#own")
     own.scroll_into_view_if_needed()
+    page.wait_for_timeout(300)
+    own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    own.locator("[name=tolerance]").fill(band)
     box = own.locator("svg").bounding_box()
     assert box
-    page.evaluate("scrollTo(0, 0)")
-    own.locator("svg").scroll_into_view_if_needed()
-    box = own.locator("svg").bounding_box()
-    assert box
-    page.mouse.move(box["x"] + 20, box["y"] + 60)
+    page.mouse.move(box["x"] + 10, box["y"] + 60)
     page.mouse.down()
-    page.mouse.move(box["x"] + box["width"] - 20, box["y"] + 150, steps=10)
+    for wave in range(1, waves + 1):
+        page.mouse.move(
+            box["x"] + 10 + (box["width"] - 20) * wave / waves, box["y"] + 60 + 90 * (wave % 2), steps=6
+        )
     page.mouse.up()
+    until(page, "document.getElementById('save').disabled")
     until(page, "!document.getElementById('save').disabled")
     said = own.locator(".said").inner_text()
     blocks = int(re.findall(r"^(\d+) blocks", said)[0])
+    assert blocks > least
+    assert len(page.locator("#open").get_attribute("href") or "") < 1000
     assert f"{20 * blocks + 1} frames" in said
     assert "goes the same way by it" in said
     (Path(urlsplit(page.url).path).parent / "pdp8.html").write_text(workbench.page(), encoding="utf-8")
     with page.context.expect_page() as opened:
         page.locator("#open").click()
     bench = opened.value
-    until(bench, "!!window.workbench?.mill.steps.length")
-    assert bench.evaluate("workbench.mill.steps.length") == blocks
-    tape = bytes(bench.evaluate("[...workbench.shelf.get('mine.eia').frames]"))
+    until(bench, "!!window.workbench?.mill.steps?.length")
+    assert bench.evaluate("workbench.mill.steps?.length") == blocks
+    tape = bytes(bench.evaluate("[...workbench.shelf.get(workbench.mill.name).frames]"))
     heights, tolerance = bench.evaluate(_TYPED)
     punched = drawn.part(heights, tolerance=float(tolerance))
     assert eia.encode(punched.replace(" ", "0")) == tape.strip(b"\0")
