@@ -28,7 +28,7 @@ DEVICES = (
     "pdp8.computer.speed.waiting",
 )
 MODULES = (  # the largest first: no core waits for it at the end
-    *(f"pal.{name}" for name in ("pal8", "assembler", "table", "notes", "source", "isa")),
+    *(f"pal.{name}" for name in ("pal8", "assembler", "table", "notes", "listing", "source", "isa")),
     *DEVICES,
     "pdp8.computer.speed.engine",
 )
