@@ -10,6 +10,7 @@ punch          the object tape
 listing        what the Teletype typed
 assembly       all of it together: `Assembly`
 work3, work8   what each dialect does for it
+messages       all that is said of a source in either dialect: one table
 diagnostics    the messages for people: place, line, caret, advice
 notes          what a student should know about a program that assembles
 watched        PAL III with an eye on what a source means otherwise than it says

@@ -19,12 +19,10 @@ from typing import NamedTuple
 from pal.assembler import Message
 from pal.dialects import hint
 from pal.isa import ADDRESS, PAGE
-from pal.notes import DIALECT, ERROR, NOTE, Note, Said
+from pal.messages import DIALECT, STOPPED, worded
+from pal.notes import ERROR, NOTE, Note, Said, note
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, REFERENCES
-
-STOPPED = "PS01"
-"""Where PAL III goes no further."""
 
 _CONTROLS = {code: "\N{MIDDLE DOT}" for code in range(0x20) if code != ord("\t")}
 """A terminal is shown no control codes of a source."""
@@ -101,12 +99,7 @@ def of_pal3(
         if lower and small:
             continue
         small |= lower
-        if message.code == "UA":
-            advice = _undefined(subject, message.location, source)
-        elif message.code == "IR":
-            advice = _beyond(subject, message.location, source.items[at + 1 : at + 2] == [("", "-")])
-        else:
-            advice = _ADVICE[message.code](subject, message.location)
+        advice = _advice(message, subject, at, source)
         if subject == "0277":
             mark = source.spans[message.at][1]
             advice = advice.replace("?", source.shown[mark : mark + 1])
@@ -114,29 +107,29 @@ def of_pal3(
         found.append((ERROR, said, hint(message.code, subject)))
         full |= message.code == "ST"
     if stopped and not full:
-        name = source.items[stopped[1]][0]
-        advice = f"{name} is PAL III's own; give it another name" if name in PSEUDO_OPERATORS else ""
-        found.append((ERROR, Note(STOPPED, stopped[1], stopped[0], advice), ""))
-    return [*found, *((NOTE, note, "") for note in notes)]
+        why, at = stopped
+        name = source.items[at][0]
+        key = "PS01 name" if name in PSEUDO_OPERATORS else STOPPED
+        found.append((ERROR, note(key, at, why=why, name=name), ""))
+    return [*found, *((NOTE, each, "") for each in notes)]
 
 
 def empty(names: Sequence[str]) -> Diagnostic:
     """Return the note on a source without a character."""
     file = names[0] if names else "source"
-    return Diagnostic(NOTE, "PN27", "the source is empty", "write at least a $", "", file, 1, 1, 2, "")
+    return Diagnostic(NOTE, *worded("PN27 empty"), "", file, 1, 1, 2, "")
 
 
 def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], Place]) -> list[Diagnostic]:
     """Return what is said of a source as diagnostics, in the order of the places that `place_of` gives."""
     diagnostics: list[tuple[tuple[int, int, int], Diagnostic]] = []
-    for severity, note, sentence in said:
-        place = place_of(note.at)
-        if severity == ERROR or not _silenced(place.text, note.code):
+    for severity, (code, at, message, advice), sentence in said:
+        place = place_of(at)
+        if severity == ERROR or not _silenced(place.text, code):
             end = max(place.end, place.start + 1) + 1
-            shown = "" if note.code == DIALECT else place.text  # it is of the whole source
+            shown = "" if code == DIALECT else place.text  # it is of the whole source
             where = names[place.tape], place.line, place.start + 1, end, shown
-            message = note.message.translate(_CONTROLS)
-            diagnostic = Diagnostic(severity, note.code, message, note.advice, sentence, *where)
+            diagnostic = Diagnostic(severity, code, message.translate(_CONTROLS), advice, sentence, *where)
             diagnostics.append(((place.tape, place.line, place.start), diagnostic))
     return [diagnostic for _, diagnostic in sorted(diagnostics, key=lambda each: each[0])]
 
@@ -153,47 +146,40 @@ def _reference(source: Source, end: int) -> int:
     return next((at for at in statement if source.items[at][0] in REFERENCES), end)
 
 
-def _undefined(name: str, location: int, source: Source) -> str:
-    """Return what an undefined symbol became, and how to define it: perhaps its tag lacks a comma."""
-    taken = f"undefined: {name} is taken as {location | ADDRESS:04o}, the last address of its page; "
+def _advice(message: Message, subject: str, at: int, source: Source) -> str:
+    """Return what a message of a subject, at an item, means and what to do."""
+    location = message.location
+    if message.code == "IC":
+        value = int(subject, 8)
+        figure, letter, character = chr(value & 0o177), chr(value + 0o100), _spelled(value & 0o177)
+        said = worded(_kind_of_illegal(value), figure=figure, letter=letter, character=character)
+    elif message.code == "IR":
+        key = "IR negative" if source.items[at + 1 : at + 2] == [("", "-")] else "IR"
+        used = location & PAGE | int(subject, 8) & ADDRESS
+        said = worded(key, address=subject, location=f"{location:04o}", used=f"{used:04o}")
+    elif message.code == "UA":
+        key, line = _kind_of_undefined(subject, source)
+        said = worded(key, name=subject, value=f"{location | ADDRESS:04o}", line=line)
+    else:
+        said = worded(message.code, name=subject or "it")
+    return f"{said.message}; {said.advice}" if said.advice else said.message
+
+
+def _kind_of_illegal(value: int) -> str:
+    if value > 0o200:
+        return "IC"
+    if value == 0o200:
+        return "IC lost"
+    return "IC figure" if value >= 0o60 else "IC letter"
+
+
+def _kind_of_undefined(name: str, source: Source) -> tuple[str, str]:
+    """Return the key of what is said of an undefined symbol, and the line where its tag may lack a comma."""
     at = source.bare_tag(name)
     if at is None:
-        return f"{taken}define it with {name}, or {name}="
-    if source.items[at + 1][0] == "EQU":
-        return f"{taken}PAL III has no EQU: in line {source.place(at).line} write {name}="
-    return f"{taken}if it is the tag of line {source.place(at).line}, write {name}, there"
-
-
-def _illegal(code: str, location: int) -> str:
-    value = int(code, 8)
-    if value < 0o200:
-        if value >= 0o60:
-            return f"illegal character: the digit {chr(value)} after a letter in a number"
-        letter = chr(value + 0o100)
-        return f"illegal character: the letter {letter} in a number; a symbol begins with a letter"
-    if value == 0o200:
-        return "so many letters in a number that PAL III loses its way; a symbol begins with a letter"
-    return f"illegal character {_spelled(value & 0o177)}: PAL III passes over it"
+        return "UA", ""
+    return "UA EQU" if source.items[at + 1][0] == "EQU" else "UA tag", str(source.place(at).line)
 
 
 def _spelled(character: int) -> str:
     return chr(character) if chr(character).isprintable() else f"(code {character | 0o200:04o})"
-
-
-def _beyond(address: str, location: int, negative: bool) -> str:
-    page = location & PAGE
-    low = int(address, 8) & ADDRESS
-    pointer = "go through a pointer on this page, with I"
-    return (
-        f"illegal reference: {address} is neither on page zero nor on the page of {location:04o}; "
-        f"{page | low:04o} is used; "
-        + ("a negative number is referred to by a tag, as in M5, -5" if negative else pointer)
-    )
-
-
-_ADVICE: dict[str, Callable[[str, int], str]] = {
-    "IC": _illegal,
-    "RD": lambda name, _: f"redefinition: {name} has a value already and takes the new one; use another name",
-    "DT": lambda name, _: f"duplicate tag: {name or 'it'} keeps the value it has; use another name",
-    "ST": lambda name, _: f"symbol table full: no room for {name}, and no tape; use fewer symbols",
-}

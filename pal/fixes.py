@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from pal.diagnostics import Diagnostic
 from pal.document import Document, Span
-from pal.notes import COLON, MEANT, NO_SLASH, NOT_OCTAL
+from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
 from pal.pieces import NAME, NUMBER, comment, pieces
 
 _UNDEFINED = ("UA", "US")

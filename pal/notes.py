@@ -32,12 +32,8 @@ from pal.isa import (
     refers_to,
     tests_flag,
 )
+from pal.messages import MEANT, NO_SLASH, worded
 from pal.symbols import SIGNIFICANT
-
-COMBINED, OVERLAID, AFTER_END, TOO_LARGE, NOT_OCTAL = "PN01", "PN02", "PN03", "PN04", "PN05"
-INTO_DATA, INTO_CODE, NO_RETURN, CUT, RESERVED = "PN06", "PN07", "PN08", "PN09", "PN30"
-COLON, NO_SLASH, MEANT, NOT_IN_TABLE, LOWER_CASE = "PN31", "PN32", "PN33", "PN34", "PN35"
-DIALECT, NOT_ON_8L, MODEL = "PN36", "PN37", "PN38"
 
 ASKED = 100
 """Undefined names that others are looked for which are nearly the same."""
@@ -58,6 +54,12 @@ class Note(NamedTuple):
     at: int
     message: str
     advice: str
+
+
+def note(key: str, at: int, **values: str) -> Note:
+    """Return what the table of messages says under a key."""
+    code, message, advice = worded(key, **values)
+    return Note(code, at, message, advice)
 
 
 ERROR, NOTE = "error", "note"
@@ -84,8 +86,7 @@ def of_overlays(words: Iterable[Written]) -> list[Note]:
         address = written.address
         if address in loaded and not written.literal:
             if last != address - 1:
-                message = f"{address:04o} has a word already; the later one is loaded over it"
-                notes.append(Note(OVERLAID, written.at, message, "set the origin where there is room"))
+                notes.append(note("PN02", written.at, address=f"{address:04o}"))
             last = address
         loaded.add(address)
     return notes
@@ -95,7 +96,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
     """Return the notes on the words of a program, given the symbols that are instructions."""
     notes: list[Note] = []
     cells: dict[int, Written] = {}
-    looked_at: dict[str, str | None] = {}
+    looked_at: dict[str, Note | None] = {}
     for written in words:
         cells[written.address] = written
         if written.word >= IOT << 9:
@@ -104,28 +105,31 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
                 looked_at[key] = _combination(written, instructions)
             wrong = looked_at[key]
             if wrong:
-                notes.append(Note(COMBINED, written.at, wrong, "write them as two instructions"))
+                notes.append(wrong._replace(at=written.at))
     return notes + _flow(cells, instructions)
 
 
-def _combination(written: Written, instructions: Mapping[str, int]) -> str | None:
-    """Return what is wrong with the symbols that make an IOT or OPR, None if they go together."""
+def _combination(written: Written, instructions: Mapping[str, int]) -> Note | None:
+    """Return the note on the symbols that make an IOT or OPR, None if they go together."""
     parts = [(name, instructions[name]) for name in written.names if name in instructions]
     parts = [(name, word) for name, word in parts if word >= IOT << 9]
     named = " ".join(name for name, _ in parts)
     if any(word >> 9 == IOT for _, word in parts):
         devices = {word >> 3 for _, word in parts}
-        return f"{named} is {written.word:04o}, neither of them" if len(devices) > 1 else None
+        if len(devices) > 1:
+            return note("PN01 devices", written.at, names=named, word=f"{written.word:04o}")
+        return None
     first = [name for name, word in parts if not word & GROUP_2 and word & ~CLA & 0o377]
     second = [name for name, word in parts if word & GROUP_2]
     if first and second:
-        return f"{named} is {_spelled(written.word)}: {first[0]} and {second[0]} are of different groups"
+        word = _spelled(written.word)
+        return note("PN01 groups", written.at, names=named, word=word, one=first[0], other=second[0])
     senses = {word & REVERSED for _, word in parts if word & GROUP_2 and word & (_SKIPS | REVERSED)}
     if len(senses) > 1:
-        return f"{named} is {_spelled(written.word)}: of two opposite skips one is turned round"
+        return note("PN01 skips", written.at, names=named, word=_spelled(written.word))
     rotations = [name for name, word in parts if not word & GROUP_2 and word & 0o014]
     if len(set(rotations)) > 1:
-        return f"{' and '.join(rotations)}: a word rotates once"
+        return note("PN01 rotates", written.at, names=" and ".join(rotations))
     return None
 
 
@@ -176,13 +180,11 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
             continue  # HLT stands for a word that is not 0; JMS . asks where it is
         if _is_instruction(cell, instructions) and target not in told:
             told.add(target)
-            message = f"JMS stores the return address over the instruction at {target:04o}"
-            notes.append(Note(INTO_CODE, written.at, message, "a subroutine begins with a word of 0"))
+            notes.append(note("PN07", written.at, target=f"{target:04o}"))
     for written, target in jumps:
         cell = cells.get(target)
         if target in called and cell is not None and not _is_instruction(cell, instructions):
-            message = f"JMP to {target:04o} runs the return address; a return is JMP I"
-            notes.append(Note(NO_RETURN, written.at, message, "write I to go where the word says"))
+            notes.append(note("PN08", written.at, target=f"{target:04o}"))
     for target in sorted(called | (counted - stored)):
         cell = cells.get(target)
         before = cells.get(target - 1)
@@ -199,8 +201,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
             reached = _goes_on(first.word, cells.get(target - 3))
         ends = target not in called and _ends_loop(before, first)
         if ends or (reached and _goes_on(before.word, first)):
-            message = f"the program runs on from {target - 1:04o} into data at {target:04o}"
-            notes.append(Note(INTO_DATA, cell.at, message, "end what comes before with JMP or HLT"))
+            notes.append(note("PN06", cell.at, before=f"{target - 1:04o}", target=f"{target:04o}"))
     return notes
 
 
@@ -247,9 +248,8 @@ def of_model(words: Iterable[Written], model: str) -> list[Note]:
     """
     from pal.models import differs
 
-    advice = "a program for all models does without"
     found = [(written.at, written.word, differs(written.word, model)) for written in words]
-    return [Note(MODEL, at, f"{word:04o} {said}", advice) for at, word, said in found if said]
+    return [note("PN38", at, octal=f"{word:04o}", differs=said) for at, word, said in found if said]
 
 
 def meant(name: str, known: Iterable[str]) -> str | None:
@@ -282,13 +282,13 @@ def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]
     asked = 0
     for found in lines.values():
         if len(found) > 1:
-            notes.append(Note(NO_SLASH, found[0][1], "this reads as text", "a comment begins with a slash"))
+            notes.append(note(NO_SLASH, found[0][1]))
             continue
         name, at = found[0]
         asked += 1
         other = meant(name, names) if asked <= ASKED else None
         if other:
-            notes.append(Note(MEANT, at, f"{name} is not defined: did you mean {other}?", ""))
+            notes.append(note(MEANT, at, name=name, other=other))
     return notes
 
 
@@ -308,6 +308,5 @@ def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> l
             continue  # the same name, shortened
         if first != name:
             told.add(cut)
-            message = f"{name} is the same symbol as {first}: six characters count"
-            notes.append(Note(CUT, at, message, "let names differ in their first six characters"))
+            notes.append(note("PN09", at, name=name, first=first))
     return notes

@@ -80,7 +80,7 @@ cdef class Assembler:
     cdef bint _take_symbol(self) except -1
     @cython.locals(start=int, marks=int, found=bint, number=bint, address=int)
     cdef bint _refer(self, int operation) except -1
-    cdef int _indirect(self, int operation, str where, int start) except -1
+    cdef int _indirect(self, int operation, int elsewhere, int start) except -1
     @cython.locals(start=int, link=bint, named=int, value=int)
     cdef bint _take_literal(self, Py_UCS4 opening) except -1
     @cython.locals(pool=dict, bottom=int, place=int, least=int, words=list)

@@ -37,7 +37,8 @@ from typing import NamedTuple
 from pal import symbols8
 from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, CURRENT_PAGE, INDIRECT, PAGE
-from pal.notes import COLON, LOWER_CASE, RESERVED, TOO_LARGE, Mention, Note
+from pal.messages import Worded, worded
+from pal.notes import Mention, Note, note
 from pal.punch import BLOCK
 from pal.source import Line, plain
 from pal.symbols import SIGNIFICANT
@@ -51,19 +52,6 @@ LINE = 80  # characters of a line that DEC's keeps
 
 # What a symbol is.
 PLAIN, REFERENCE, MARK, PSEUDO, WEAK = 1, 2, 3, 4, 5
-
-
-_MISPLACED = {
-    **dict.fromkeys("+-!&^%", ("an operator after another", "one stands between two terms")),
-    "*": ("* multiplies nothing: it begins an origin", "^ multiplies"),
-    ")": (") closes nothing", "take it away"),
-    "]": ("] closes nothing", "take it away"),
-    ">": ("> closes no condition", "take it away"),
-    ",": (", not directly after a tag", "write one comma, directly after the tag"),
-    "=": ("= not directly after a symbol", "write the symbol, and = without a blank"),
-    ":": ("illegal character :", "a tag ends with a comma"),
-}
-"""Message and advice for tokens where they cannot stand."""
 
 
 class Fatal(Exception):
@@ -287,11 +275,13 @@ class Assembler:
 
     # Messages
 
-    def _say(self, code: str, about: str, advice: str, start: int = -1) -> None:
-        """Type a message of DEC's, of what was read since column `start`, or of the token.
+    def _say(self, key: str, start: int = -1, **values: str) -> None:
+        """Type a message of DEC's, of what was read since column `start`, or of the token."""
+        self._complain(worded(key, **values), start)
 
-        Of several illegal characters in a statement we speak of the first.
-        """
+    def _complain(self, said: Worded, start: int = -1) -> None:
+        """Type a message; of several illegal characters in a statement we speak of the first."""
+        code, about, advice = said
         if self._number == 1 and code in ("IE", "PE", "ZE"):
             return
         location = f"{self._location:04o}"
@@ -303,9 +293,9 @@ class Assembler:
             self._dropped = True
         self.complaints.append(Complaint(code, location, self._number, self._span(start), about, advice))
 
-    def _note(self, code: str, message: str, advice: str, start: int = -1) -> None:
+    def _note(self, key: str, start: int = -1, **values: str) -> None:
         if self._number == 2:
-            self.notes.append(Note(code, self._span(start), message, advice))
+            self.notes.append(note(key, self._span(start), **values))
 
     def _span(self, start: int) -> int:
         if start < 0:
@@ -314,12 +304,12 @@ class Assembler:
 
     def _drop(self) -> None:
         """Pass over a token that cannot stand here: IC for each of its characters."""
-        token = self._token
-        about, advice = self._illegal(token)
-        length = 1 if self._first == '"' else len(token)
-        for _ in range(length):
-            self._say("IC", about, advice)
+        self._complain_of_token(self._illegal(self._token))
         self._skip_token()
+
+    def _complain_of_token(self, said: Worded) -> None:
+        for _ in range(1 if self._first == '"' else len(self._token)):
+            self._complain(said)
 
     def _skip_token(self) -> None:
         """Take the next token, which is the character after a `"`."""
@@ -327,31 +317,26 @@ class Assembler:
             self._end = self._start + 1
         self._advance()
 
-    def _illegal(self, token: str) -> tuple[str, str]:
-        """Return message and advice for a token that cannot stand where it does."""
+    def _illegal(self, token: str) -> Worded:
+        """Return what is said of a token that cannot stand where it does."""
         if self._slips:
-            return "", ""
+            return Worded("IC", "", "")
         start = self._start
         text = self._texts[self._index]
-        if _operates(token[0]) and start != self._before:
-            return (
-                f"{token} after a blank, which is an operator itself (OR)",
-                f"leave no blank beside {token}",
-            )
+        if _operates(token[0]):
+            return worded("IC after" if start == self._before else "IC beside", token=token)
         if text[start : start + 1] == "\xa0":
-            return "a no-break space, which is no blank", "write a blank"
-        if token in _MISPLACED:
-            return _MISPLACED[token]
+            return worded("IC no-break")
+        if token in ("*", ")", "]", ">", ",", "=", ":"):
+            return worded(f"IC {token}")
         if not token[0].isalnum():
-            return f"{text[start : start + 1]} cannot stand here", "DEC's PAL8 passes over it"
+            return worded("IC other", character=text[start : start + 1])
         if self._before == start and text[start - 1 : start].isdigit() and not token[0].isdigit():
             word = text[len(text[:start].rstrip("0123456789")) : self._end]
             if text[self._end : self._end + 1] == ",":
-                return f"{word} is no tag", "a tag begins with a letter"
-            return f"the letter {token[0]} in the number {word}", "a symbol begins with a letter"
-        if self._tag.kind == REFERENCE:
-            return f"no operator before {token}", "a memory reference comes first in its word"
-        return f"{token} cannot stand here", "an operator, or a blank, stands between two terms"
+                return worded("IC tag", word=word)
+            return worded("IC number", letter=token[0], word=word)
+        return worded("IC reference" if self._tag.kind == REFERENCE else "IC token", token=token)
 
     # Statements
 
@@ -423,8 +408,8 @@ class Assembler:
         if follows == "," or (follows == ":" and not self._exact):
             self._look_up()
             if follows == ":":
-                self._note(COLON, "a colon ends no tag", f"write a comma: {name},", start)
-                self._say("IC", *_MISPLACED[":"])
+                self._note("PN31 PAL8", start, name=name)
+                self._say("IC :")
             self._define_tag(name, start, end)
             return True
         if follows == "=":
@@ -470,11 +455,8 @@ class Assembler:
 
     def _say_full(self, page: int, start: int) -> None:
         """Say that the words and the literals of a page meet."""
-        which = "this page" if page else "page zero"
         words, literals = (page << 7) + self._top[page] - 1 & _MASK, (page << 7) + self._bottom[page]
-        about = f"{which} is full: words up to {words:04o}, literals from {literals:04o}"
-        advice = "put less on the page; if it is an overlay, --w forgets what was there before"
-        self._say("PE" if page else "ZE", about, advice, start)
+        self._say("PE" if page else "ZE", start, words=f"{words:04o}", literals=f"{literals:04o}")
 
     def _put_word(self, written: Written) -> None:
         """Keep a word, and punch it: after NOPUNCH it may be loaded elsewhere."""
@@ -509,9 +491,8 @@ class Assembler:
         self._is_undefined = False
         symbol = self.symbols.get(name)
         if symbol is not None and not self._exact and symbol.kind in (PLAIN, REFERENCE) and not symbol.passed:
-            message = f"{name} is a permanent symbol, {symbol.value:04o}, and becomes the source's"
-            note = Note(RESERVED, self._keep(start, end), message, "DEC's PAL8 keeps the old value (ID)")
-            self.notes.append(note)
+            at = self._keep(start, end)
+            self.notes.append(note("PN30 PAL8", at, name=name, value=f"{symbol.value:04o}"))
             symbol = None
         if symbol is None or symbol.kind == WEAK:
             symbol = self.symbols[name] = Symbol(name, PLAIN, self._location, False)
@@ -527,16 +508,10 @@ class Assembler:
 
     def _say_redefined(self, symbol: Symbol, start: int) -> None:
         """Say that a tag has another value: it marks a reference, moved since pass 1, or stands twice."""
-        about = f"duplicate tag: {symbol.name} is {symbol.value:04o} already"
-        advice = "each tag has one place, use another name"
-        if symbol.kind == MARK:
-            about = f"{symbol.name} is no tag: it marks a memory reference"
-            advice = "give the tag another name"
-        elif symbol.where == (self._index, start):
-            here = f"{self._location:04o} in pass 2"
-            about = f"{symbol.name} is {symbol.value:04o} from pass 1, and stands at {here}"
-            advice = "something before it depends on what is defined after it; define that first"
-        self._say("ID", about, advice, start)
+        moved = symbol.where == (self._index, start)
+        key = "ID mark" if symbol.kind == MARK else "ID moved" if moved else "ID"
+        value, location = f"{symbol.value:04o}", f"{self._location:04o}"
+        self._say(key, start, name=symbol.name, value=value, location=location)
 
     def _assign(self, name: str, kind: int, start: int, end: int) -> None:
         """`NAME=expression`, the symbol looked up already; `kind` is REFERENCE after FIXMRI."""
@@ -550,19 +525,18 @@ class Assembler:
         self._stack -= _CELLS_OF_EQUALS
         self._is_undefined = is_undefined
         if self._undefined:
-            self._say("IE", f"{name} gets no value: it is undefined", "define it first", start)
+            self._say("IE", start, name=name)
             return
         self._is_undefined = False
         symbol = self.symbols.get(name)
         if symbol is None or symbol.kind == WEAK:
             symbol = self.symbols[name] = Symbol(name, kind, value, False)
         elif symbol.value != value:
+            before, now = f"{symbol.value:04o}", f"{value:04o}"
             if symbol.permanent:
-                about = f"{name} is a permanent symbol, {symbol.value:04o}, and is {value:04o} from here on"
-                self._say("RD", about, "use another name", start)
+                self._say("RD permanent", start, name=name, value=before, now=now)
             elif symbol.passed == self._number and name in self._early:
-                message = f"{name} was {symbol.value:04o}, and is {value:04o} from here on"
-                self._note("PN41", message, "a use before its first definition sees the last value", start)
+                self._note("PN41", start, name=name, value=before, now=now)
         if symbol.value != value or symbol.passed or not symbol.permanent:
             symbol.value = value
             symbol.passed = self._number
@@ -577,11 +551,11 @@ class Assembler:
         """Take cells of DEC's push-down list."""
         self._stack += cells
         if self._stack > _CELLS:
-            self._die("BE", "too many literals within literals", "DEC's PAL8 takes six in each other")
+            self._die("BE")
 
-    def _die(self, code: str, about: str, advice: str) -> None:
-        self._say(code, about, advice)
-        raise Fatal(about)
+    def _die(self, key: str) -> None:
+        self._say(key)
+        raise Fatal(key)
 
     def _expression(self, found: bool, may_refer: bool) -> int:
         """Return the value of an expression; `_undefined` is not 0 if something in it is undefined.
@@ -634,18 +608,15 @@ class Assembler:
             self._undefined = -1
             self._value = 0
         elif self._has_blank and self._ored | self._group != self._value:
-            palbarts = f"palbart, where a blank comes last, makes {self._ored | self._group:04o}"
-            message = f"this is {self._value:04o}; {palbarts}"
-            self._note("PN42", message, "put no other operator after a blank", begun)
+            other = f"{self._ored | self._group:04o}"
+            self._note("PN42", begun, value=f"{self._value:04o}", other=other)
 
     def _term(self) -> bool:
         """Take a term; return whether the expression may go on after it."""
         while True:
             first = self._first
             if self._blank:
-                self._say(
-                    "IC", "a blank after an operator", "leave no blank: it is one itself (OR)", self._before
-                )
+                self._say("IC blank", self._before)
                 self._pass_blank()
             elif _is_letter(first):
                 self._mention(self._token[:SIGNIFICANT], self._start, self._end, False)
@@ -669,24 +640,21 @@ class Assembler:
                 self._end_expression(self._start)
                 return False
             else:
-                about, advice = "something is missing here", "write a symbol, a number, or a literal"
-                if self._tag.kind == MARK:
-                    about, advice = f"no address after {self._tag.name}, which is no name", "write an address"
-                self._say("IC", about, advice)
+                self._say("IC address" if self._tag.kind == MARK else "IC missing", name=self._tag.name)
                 return self._take_symbol()
 
     def _take_quoted(self, token: str) -> bool:
         if len(token) == 1:
-            self._say("IC", 'no character after "', 'write it directly after, as in "A')
+            self._say('IC "')
             self._advance()
             self._end_expression(self._start)
             return False
         character = self._texts[self._index][self._start + 1]
         if not character.isascii():
-            self._say("IC", f"the Teletype has no {character}", "write another")
+            self._say("IC Teletype", character=character)
             character = "?"
         if character == "\t":
-            self._note("PN43", 'a TAB after " is 0211; palbart makes 0240', "write 211")
+            self._note("PN43")
         self._last = ord(character) | 0o200
         self._advance()
         return self._combine()
@@ -723,10 +691,9 @@ class Assembler:
         """Return a quotient without signs, 0 where palbart crashes."""
         quotient = value // last if last else 0
         if last == 0:
-            self._note("PN45", "division by 0 makes 0; palbart crashes", "")
+            self._note("PN45 zero")
         elif (value | last) & 0o4000:
-            message = f"{value:04o} divided by {last:04o} is {quotient:04o}, without signs"
-            self._note("PN45", message, "palbart divides with signs")
+            self._note("PN45", value=f"{value:04o}", by=f"{last:04o}", quotient=f"{quotient:04o}")
         return quotient
 
     def _take_symbol(self) -> bool:
@@ -734,12 +701,10 @@ class Assembler:
         tag = self._tag
         self._names.append(tag.name)
         if tag.kind == PSEUDO:
-            about = f"the pseudo-operator {tag.name} within an expression"
-            self._say("IP", about, "a pseudo-operator begins its statement", self._looked_up)
+            self._say("IP", self._looked_up, name=tag.name)
         elif tag.kind == WEAK and not tag.permanent:
             tag.permanent = True  # it is told once
-            message = f"{tag.name}, {tag.value:04o}, is palbart's; in DEC's PAL8 it is undefined (US)"
-            self._note("PN47", message, f"define it: {tag.name}={tag.value:04o}", self._looked_up)
+            self._note("PN47", self._looked_up, name=tag.name, octal=f"{tag.value:04o}")
         if self._is_undefined:
             self._early.add(tag.name)
             self._is_undefined = False
@@ -759,12 +724,12 @@ class Assembler:
         text = self._texts[self._index]
         start, end = self._looked_up, self._before
         written = text[start:end].upper()
-        advice = symbols8.ELSEWHERE.get(name) or f"define it with {written}, or {written}="
+        instead = symbols8.ELSEWHERE.get(name, "")
+        key = "US elsewhere" if instead else "US"
         if self._named == start == 0 and text[end : end + 1] in (" ", "\t") and not _ends(self._first):
-            equates = self._token.upper() == "EQU"
-            advice = f"PAL8 has no EQU: write {written}=" if equates else f"if it is a tag, write {written},"
+            key = "US EQU" if self._token.upper() == "EQU" else "US tag"
             self._slips = True
-        self._say("US", f"undefined: {written}", advice, start)
+        self._say(key, start, name=written, instead=instead)
 
     def _figures(self, token: str) -> int:
         """Return the value of a number; an 8 or 9 in octal is passed over."""
@@ -774,14 +739,13 @@ class Assembler:
                 if figure < "8":
                     good += figure
                 else:
-                    about = f"the digit {figure} in the octal number {token}"
-                    self._say("IC", about, "after DECIMAL it is one")
+                    self._say("IC octal", figure=figure, number=token)
             token = good or "0"
         value = int(token[max(len(token) - 12, 0) :], self._radix)
         address = self._named < 0 and value < 0o100000  # with its field, in an origin or a definition
         if (value > _MASK and not address) or len(token) > 12:
-            message = f"{token} does not fit into twelve bits: it is {value & _MASK:04o}"
-            self._note(TOO_LARGE, message, f"write it so: {value & _MASK:o} octal")
+            kept = value & _MASK
+            self._note("PN04 PAL8", number=token, word=f"{kept:04o}", octal=f"{kept:o}")
         return value & _MASK
 
     def _refer(self, operation: int) -> bool:
@@ -803,31 +767,29 @@ class Assembler:
         address = self._expression(found, False)
         self._stack -= _CELLS_OF_REFERENCE
         if number and address & 0o7000 == 0o7000:
-            message = f"this refers to the word at {address:04o}"
-            self._note("PN51", message, "for a number write a literal, as in TAD (-5", start)
-        where = ""
+            self._note("PN51", start, address=f"{address:04o}")
+        elsewhere = -1
         if address & PAGE:
             if (address ^ self._location) & PAGE:
-                where = f"{address:04o} is not on the page of {self._location:04o}"
+                elsewhere = address
                 address = self._find(address, self._location >> 7, start)
                 self._link = True
-                operation = self._indirect(operation, where, start)
+                operation = self._indirect(operation, elsewhere, start)
             operation = operation + CURRENT_PAGE & _MASK
             if marks & 0o77:
-                about = f"Z with an address that is not on page zero, {address:04o}"
-                self._say("IZ", about, "leave out Z", start)
+                self._say("IZ", start, address=f"{address:04o}")
         if marks & 0o7700:
-            operation = self._indirect(operation, where, start)
+            operation = self._indirect(operation, elsewhere, start)
         self._last = operation
         self._value = (address & ADDRESS) + operation & _MASK
         return False
 
-    def _indirect(self, operation: int, where: str, start: int) -> int:
-        """Return a memory reference with I, which it may not have twice: a link has it."""
-        if operation & INDIRECT:
-            about = f"{where}, and a link cannot be indirect" if where else "indirect twice"
-            advice = "put a pointer on this page or on page zero" if where else "write one I"
-            self._say("II", about, advice, start)
+    def _indirect(self, operation: int, elsewhere: int, start: int) -> int:
+        """Return a memory reference with I, which it may not have twice: a link to `elsewhere` has it."""
+        if operation & INDIRECT and elsewhere < 0:
+            self._say("II", start)
+        elif operation & INDIRECT:
+            self._say("II link", start, address=f"{elsewhere:04o}", location=f"{self._location:04o}")
         return operation | INDIRECT
 
     # Literals
@@ -857,7 +819,7 @@ class Assembler:
         """Note a comment that was meant for a division: `(6/2)`."""
         text = self._texts[self._index][self._before :] if self._first == "\n" else ""
         if text[:1] == "/" and text[1:2].isalnum() and ")" in text:
-            self._note("PN52", "a / begins a comment here", "% divides", start)
+            self._note("PN52", start)
 
     def _find(self, value: int, page: int, start: int) -> int:
         """Return the address of a literal of a page; it is stored if it does not stand there yet."""
@@ -875,8 +837,7 @@ class Assembler:
             self._bottom[page] = place
             pool[value] = place
             if self._pool_end < 0o200 and page and value in self._before_here[page]:
-                message = f"the literal {value:04o} is stored again: the source has left this page before"
-                self._note("PN46", message, "palbart finds it; keep a page in one piece", start)
+                self._note("PN46", start, value=f"{value:04o}")
         words[place] = (value, self._keep(start, self._before) if self._number == 2 else 0)
         return (page << 7) + place & _MASK
 
@@ -931,7 +892,7 @@ class Assembler:
         """`*` and RELOC: go to a location, by an origin, which RELOC need not punch."""
         self._skips_origin = relocates
         if self._undefined:
-            self._say("UO", "the origin is undefined here, and taken for 0000", "define it before")
+            self._say("UO")
         if (location ^ self._location) & PAGE:
             self._put_out_page()
             self._offset = self._next_offset
@@ -965,7 +926,7 @@ class Assembler:
         self._pass_blank()
         return self._first not in "\n;>"
 
-    def _find_token(self, wanted: str, about: str, advice: str, blanks: bool = True) -> bool:
+    def _find_token(self, wanted: str, missing: Worded, blanks: bool = True) -> bool:
         """Pass over what comes before a token that is wanted, or a name; return whether there is one.
 
         `blanks` is whether blanks between are nothing; else they are illegal too.
@@ -973,14 +934,13 @@ class Assembler:
         self._pass_blank()
         while self._blank or not (self._token == wanted if wanted else _is_letter(self._first)):
             if not self._blank and self._first not in "\n;":
-                for _ in range(1 if self._first == '"' else len(self._token)):
-                    self._say("IC", about, advice)
+                self._complain_of_token(missing)
                 self._skip_token()
                 self._blank = self._blank and not blanks
                 if not self._blank:
                     self._pass_blank()
                 continue
-            self._say("IC", about, advice)
+            self._complain(missing)
             if not self._blank:
                 return False
             self._pass_blank()
@@ -995,18 +955,16 @@ class Assembler:
         is_undefined = self._is_undefined or self._tag.kind == WEAK
         self._is_undefined = kept
         if self._tag.kind == PSEUDO:
-            about = f"{self._tag.name} is a pseudo-operator, and defined"
-            self._say("IP", about, "ask for another symbol", start)
+            self._say("IP asked", start, name=self._tag.name)
         elif self._tag.passed == 1 and self._number == 2:
             text = self._texts[self._index].upper()
             if f"{text[start : self._before]}=" not in text:  # `IFNDEF A <A=5>` is the same in palbart
-                message = f"{asked}, which is defined below, is defined here in pass 2"
-                self._note("PN49", message, "palbart takes it for undefined; define it before", start)
+                self._note("PN49", start, name=asked)
         return is_undefined
 
     def _condition(self, holds: bool) -> None:
         """Take what stands after `<`, or pass over it."""
-        if not self._find_token("<", "< is missing after the condition", "it stands on the same line"):
+        if not self._find_token("<", worded("IC <")):
             return
         self._opens = True
         if holds:
@@ -1038,13 +996,13 @@ class Assembler:
                     return
             if self._index + 1 == len(self._lines):
                 self._index, self._start, self._end = began, self._begun, end
-                self._die("PH", "a condition without its end", "write > after what is left out")
+                self._die("PH")
             self._index += 1
             text = self._texts[self._index]
             column = 0
             if text[:1] == "$":
                 self._start, self._end = 0, 1
-                self._note("PN50", "this $ is left out by a condition", "palbart ends the condition here")
+                self._note("PN50")
 
     def _pack_text(self) -> None:
         """TEXT: two characters a word, six bits each, and 00 at the end."""
@@ -1055,17 +1013,14 @@ class Assembler:
             return
         self._before = column + 1
         if not self._exact and text[column : column + 1] in ("/", ";"):
-            message = f"DEC's PAL8 takes this {text[column]} for the end of the statement"
-            self._note("PN44", message, "leave a blank after TEXT", self._begun)
+            self._note("PN44", self._begun, mark=text[column])
         last = "_" if self._exact else "~"
         while column < len(text) and not "!" <= text[column] <= last:
             column += 1
         first = column
         delimiter = text[column : column + 1]
         if delimiter == "":
-            self._note(
-                "PN54", "TEXT without a text is one word of 0", "write it so: TEXT /LETTERS/", self._begun
-            )
+            self._note("PN54", self._begun)
         codes: list[int] = []
         at = self._keep(self._begun, len(text))
         column += 1
@@ -1078,16 +1033,13 @@ class Assembler:
                     codes = []
             else:
                 self._start, self._end = column, column + 1
-                about = "a character that TEXT cannot have, as a TAB is"
-                self._say("IC", about, "write a blank, or the code as a number")
+                self._say("IC TEXT")
             column += 1
         self._before = min(column + 1, len(text))
         if not self._exact and any("`" <= character <= "~" for character in text[first:column]):
-            message = "small letters, which DEC's PAL8 leaves out (IC)"
-            self._note(LOWER_CASE, message, "write capitals: six bits have no others", self._begun)
+            self._note("PN35 TEXT", self._begun)
         if delimiter and column == len(text):
-            message = f"{delimiter} does not stand again: the text goes to the end of the line"
-            self._note("PN54", message, "a text ends with the character it begins with", self._begun)
+            self._note("PN54 end", self._begun, mark=delimiter)
         self._write(codes[0] << 6 if codes else 0, at)
         self._go_to(self._before)
 
@@ -1098,7 +1050,7 @@ class Assembler:
             characters += self._token
             self._advance()
         if not characters and room > 2:
-            self._note("PN54", "no name: the words are 0", "write it so: DEVICE SYS", self._begun)
+            self._note("PN54 name", self._begun)
         characters = characters[:room].ljust(room, "\0")
         at = self._keep(self._begun, self._before)
         for first in range(0, room, 2):
@@ -1124,8 +1076,7 @@ def _page(run: Assembler) -> None:
         return
     page = run._argument()
     if page > PAGE >> 7:
-        message = f"there is no page {page:o}: this is page {page & 0o37:o}"
-        run._note("PN53", message, "a field has pages 0 to 37; FIELD goes to another", run._begun)
+        run._note("PN53", run._begun, page=f"{page:o}", taken=f"{page & 0o37:o}")
     run._begin_page(page << 7 & PAGE)
 
 
@@ -1172,7 +1123,7 @@ def _filename(run: Assembler) -> None:
 
 def _if_defined(run: Assembler, name: str) -> None:
     """Ask for a symbol: in pass 2 what is defined below is defined."""
-    if run._find_token("", f"{name} without a symbol", f"write it so: {name} A <statements>"):
+    if run._find_token("", worded("IC asked", name=name)):
         run._condition(run._name_to_ask(name) == (name == "IFNDEF"))
 
 
@@ -1197,11 +1148,11 @@ def _fix_table(run: Assembler) -> None:
 
 def _fix_reference(run: Assembler) -> None:
     """`FIXMRI NAME=expression`: define a memory reference."""
-    about, advice = "FIXMRI without a definition", "write it so: FIXMRI NAME=5000"
-    if run._find_token("", about, advice, False):
+    missing = worded("IC FIXMRI")
+    if run._find_token("", missing, False):
         name, start, end = run._token[:SIGNIFICANT], run._start, run._end
         run._look_up()
-        if run._find_token("=", about, advice):
+        if run._find_token("=", missing):
             run._assign(name, REFERENCE, start, end)
 
 
@@ -1215,7 +1166,7 @@ def _pause(run: Assembler) -> None:
     else:
         tape = run._lines[run._index].tape
         if [line for line in run._lines[run._index + 1 :] if line.tape == tape and line.text.strip(" \t$")]:
-            run._note("PN48", "DEC's PAL8 ends the file at PAUSE; here it goes on", "", run._begun)
+            run._note("PN48", run._begun)
 
 
 def _eject(run: Assembler) -> None:
@@ -1238,8 +1189,7 @@ def _block(run: Assembler) -> None:
     """Punch a block number, for DEC's typesetting; its first frame counts even after NOPUNCH."""
     value = run._argument()
     run._checksum += 0o300 + (value >> 6)
-    message = "a loader of BIN tapes takes this block number for a field, and more"
-    run._note("PN56", message, "it is for DEC's typesetting: leave it out", run._begun)
+    run._note("PN56", run._begun)
     run._put(BLOCK, value)
 
 

@@ -11,14 +11,13 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from pal.assembly import PAL3, PAL8, SPELLED, Assembly
-from pal.notes import DIALECT, NOTE, Note
+from pal.messages import DIALECT
+from pal.notes import NOTE, note
 from pal.source import characters
 
 if TYPE_CHECKING:
     from pal.work3 import Work3
     from pal.work8 import Work8
-
-TAKEN = "taken for PAL8: it has what PAL III has not"
 
 _MARKS = set('(["<&^%')
 _MARK_OR_END = re.compile(r'\r(?:[^/\r(["<&^%]*[(["<&^%]|\$)')
@@ -58,8 +57,7 @@ def _is_pal8s(work: "Work8") -> bool:
 
 def _as_pal8(names: Sequence[str], work: "Work8") -> Assembly:
     assembly = Assembly(PAL8, names, work)
-    advice = "--dialect pal8 says so, --dialect pal3 keeps to PAL III"
-    assembly.noted.append((NOTE, Note(DIALECT, work.first(), TAKEN, advice), ""))
+    assembly.noted.append((NOTE, note(DIALECT, work.first()), ""))
     return assembly
 
 
@@ -71,8 +69,8 @@ def told(assembly: Assembly, work: "Work3 | Work8", other: _Work3 | _Work8) -> A
 def _told(assembly: Assembly, work: "Work3 | Work8", other: "Work3 | Work8") -> Assembly:
     if other.ok:
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
-        message = f"in {SPELLED[dialect]} this has no error: --dialect {dialect}"
-        assembly.noted.append((NOTE, Note(DIALECT, work.first(), message, ""), ""))
+        said = note("PN36 other", work.first(), dialect=SPELLED[dialect], option=dialect)
+        assembly.noted.append((NOTE, said, ""))
     return assembly
 
 

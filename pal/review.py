@@ -8,13 +8,10 @@ from collections.abc import Sequence
 from pal.assembler import Entry, Listed, Message, Output, Written
 from pal.dialects import hint
 from pal.listing import LONGEST
+from pal.messages import COLON, NO_SLASH
 from pal.notes import (
-    AFTER_END,
-    COLON,
-    LOWER_CASE,
-    NO_SLASH,
-    NOT_IN_TABLE,
     Note,
+    note,
     of_model,
     of_names,
     of_overlays,
@@ -45,8 +42,8 @@ def notes(
     items = source.items
     words = [piece for piece in punched if isinstance(piece, Written)]
     found = [
-        note._replace(at=source.first_symbol(note.at))
-        for note in [*of_overlays(words), *of_words(words, _INSTRUCTIONS)]
+        each._replace(at=source.first_symbol(each.at))
+        for each in [*of_overlays(words), *of_words(words, _INSTRUCTIONS)]
     ]
     undefined = [entry for entry in table if not entry.defined]
     if undefined:
@@ -70,12 +67,11 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
     for entry in sorted(table, key=lambda entry: entry.at):
         octal = INSTRUCTIONS.get(entry.name)
         if octal is not None:
-            message = f"{entry.name} is not in PAL III's table; it is {octal:04o}"
-            notes.append(Note(NOT_IN_TABLE, entry.at, message, f"define it: {entry.name}={octal:04o}"))
+            notes.append(note("PN34", entry.at, name=entry.name, octal=f"{octal:04o}"))
         elif not hint("UA", entry.name):
             before, blank = source.items[entry.at - 1] if entry.at else ("", "")
             if blank in (" ", "\t") and before and before[:SIGNIFICANT] not in names:
-                notes.append(Note(NO_SLASH, entry.at, "this reads as text", "a comment begins with a slash"))
+                notes.append(note(NO_SLASH, entry.at))
                 continue
             if source.bare_tag(entry.name) is None:
                 others.append((entry.name, entry.at, source.begun(entry.at)))
@@ -85,15 +81,10 @@ def _undefined(source: Source, table: list[Entry], known: list[str]) -> list[Not
 def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
     """Note colons after tags, and the first of the small letters."""
     illegal = [(chr(int(said.subject, 8) & 0o177), said.at) for said in messages if said.code == "IC"]
-    notes = [
-        Note(COLON, at, "a colon ends no tag in PAL III", "write a comma after a tag, as in A,")
-        for character, at in illegal
-        if character == ":" and source.items[at][0]
-    ]
+    notes = [note(COLON, at) for character, at in illegal if character == ":" and source.items[at][0]]
     small = [at for character, at in illegal if "a" <= character <= "z"]
     if small:
-        message = f"small letters are illegal characters in PAL III: {len(small):,} of them"
-        notes.append(Note(LOWER_CASE, small[0], message, "`pal --modern` reads them as capitals"))
+        notes.append(note("PN35", small[0], count=f"{len(small):,}"))
     return notes
 
 
@@ -101,28 +92,24 @@ def _overlong(source: Source, ended: int) -> list[Note]:
     """Note the first line that pass 3 has no room for."""
     for line, text in enumerate(source.text.split("\r")):
         if len(text) > LONGEST and source.line_ends[line] in range(ended):
-            message = f"a line of {len(text)} characters: pass 3 has room for {LONGEST}"
-            advice = "the tape is good, the listing is not; break the line"
-            return [Note("PN28", source.line_ends[line], message, advice)]
+            end = source.line_ends[line]
+            return [note("PN28", end, length=str(len(text)), longest=str(LONGEST))]
     return []
 
 
 def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
     if ended == len(source.items) - 1:
-        advice = "PAL III would wait for more tape; it is taken as if there were one"
-        return [Note("PN27", max(ended - 1, 0), "no $ at the end", advice)]
+        return [note("PN27", max(ended - 1, 0))]
     notes = []
     for at in range(ended + 1, len(source.items) - 1):
         item, mark = source.items[at]
         if item or mark not in "\r \t":
             if source.place(at).tape == source.place(ended).tape:
-                notes = [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
+                notes = [note("PN03", at)]
             break
     unread = tapes - 1 - source.place(ended).tape
     if unread:
-        message = f"{unread} more tape{'s' * (unread > 1)} not read"
-        advice = "$ ends the source; on a tape that others follow, PAUSE stands instead"
-        notes.append(Note("PN27", ended, message, advice))
+        notes.append(note("PN27 tapes", ended, tapes=f"{unread} more tape{'s' * (unread > 1)}"))
     return notes
 
 
@@ -132,9 +119,7 @@ def of_pass_3(punched: Output, listed: Output) -> list[Note]:
     words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
     for word, piece in zip(on_tape, words, strict=False):
         if piece.word != word.word:
-            message = f"this is {word.word:04o} on the tape and {piece.word:04o} in the listing"
-            advice = "each pass assigns again, with the values that the last one left"
-            return [Note("PN24", piece.at, message, advice)]
+            return [note("PN24", piece.at, word=f"{word.word:04o}", listed=f"{piece.word:04o}")]
     return []
 
 
@@ -143,4 +128,4 @@ def on_models(source: Source, punched: Output, model: str) -> list[Note]:
     tags = {name for name, mark in source.items if mark == ","}
     words = [piece for piece in punched if isinstance(piece, Written)]
     written = [word for word in words if word.names and word.names[0] not in tags]
-    return [note._replace(at=source.first_symbol(note.at)) for note in of_model(written, model)]
+    return [each._replace(at=source.first_symbol(each.at)) for each in of_model(written, model)]

@@ -16,7 +16,6 @@ from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE
 if TYPE_CHECKING:
     from pal.notes import Note
 
-_POINTER = "PAL III takes the symbol it looked up last; write the symbol directly before"
 NAMES = {*(symbol.mnemonic for symbol in PERMANENT), *(name[:SIGNIFICANT] for name in PSEUDO_OPERATORS)}
 
 
@@ -50,28 +49,24 @@ class Watched(Assembler):
         if number == 2 and self._symbols.full:
             last = self._symbols.end - ENTRY
             name = spelled(self._symbols.name(last))
-            message = f"the symbol table is just full: in the listing {name} is 0212"
-            advice = "the buffer of pass 3 begins at its value; use one symbol fewer"
-            self._add("PN29", self._seen[last], message, advice)
+            self._add("PN29", self._seen[last], name=name)
         if self._made:
-            self._note("PN27", "what stands before this $ is lost", "put the $ on its own line")
+            self._note("PN27 lost", self._at)
         return output
 
     def _look_at_references(self) -> None:
         if self._expunged is not None and self._symbols.boundary > self._symbols.end and self.table:
-            advice = "define the memory references first after EXPUNGE, each with FIXMRI"
-            message = "with EXPUNGE and no FIXMRI every symbol is a memory reference"
-            self._add("PN22", self._expunged, message, advice)
+            self._add("PN22 FIXMRI", self._expunged)
 
-    def _note(self, code: str, message: str, advice: str, at: int | None = None) -> None:
-        """Note something once, in pass 2, when all values are known; of the item just read, or of another."""
+    def _note(self, key: str, at: int, **values: str) -> None:
+        """Note something once, in pass 2, when all values are known."""
         if self._number == 2:
-            self._add(code, self._at if at is None else at, message, advice)
+            self._add(key, at, **values)
 
-    def _add(self, code: str, at: int, message: str, advice: str) -> None:
-        from pal.notes import Note
+    def _add(self, key: str, at: int, **values: str) -> None:
+        from pal.notes import note
 
-        self.notes.append(Note(code, at, message, advice))
+        self.notes.append(note(key, at, **values))
 
     @property
     def _name(self) -> str:
@@ -118,21 +113,15 @@ class Watched(Assembler):
         elif what == "number":
             self._see_number(pointer)
         elif what == "point" and self._name:
-            sign = "+" if self._operator == 1 else "-"
-            message = f"the {sign} is used for {self._name} and for the location"
-            self._note("PN18", message, "write the location first, or a space before the point")
+            self._note("PN18", self._at, sign="+" if self._operator == 1 else "-", name=self._name)
 
     def _see_number(self, value: int) -> None:
         """Note a number that does not fit, or has an 8 or 9 in octal."""
-        from pal.notes import NOT_OCTAL, TOO_LARGE
-
         name = self._name
         if value:
-            message = f"{name} does not fit into twelve bits: it is {value & 0o7777:04o}"
-            self._note(TOO_LARGE, message, "the most is 7777 octal, 4095 decimal")
+            self._note("PN04", self._at, number=name, word=f"{value & 0o7777:04o}")
         elif name.isdigit() and self._radix == 8 and int(max(name)) > 7:
-            message = f"{name} is octal here, and has an 8 or a 9"
-            self._note(NOT_OCTAL, message, "DECIMAL before it makes it decimal")
+            self._note("PN05", self._at, number=name)
 
     def _see_lost(self) -> None:
         """Note an operator with a space after it."""
@@ -140,38 +129,31 @@ class Watched(Assembler):
         mark = self._items[at][1]
         after, point = self._items[at + 1] if mark in " \t" else ("", "")
         if (after or point == ".") and self._items[at - 1][1] in "+-":
-            advice = "a space is an operator too, and the last one counts; leave no space after + or -"
-            self._note("PN17", "this makes an inclusive OR of it", advice)
+            self._note("PN17", at)
 
     def _see_before(self, pointer: int) -> None:
         if pointer >= PSEUDO and self._kept is None:
-            advice = "write what belongs to the address after the instruction, and nothing else beside it"
-            self._note("PN15", f"what stands before {self._name} is part of its address", advice)
+            self._note("PN15", self._at, name=self._name)
 
     def _see_reference(self) -> None:
         """Look at a memory reference of operation 0400, or with a Z and another page."""
         items = self._items[self._source.begun(self._at) : self._at + 1]
         if self._word == INDIRECT and not any(item in REFERENCES for item, _ in items):
-            self._note(
-                "PN16", "I without a memory-reference symbol makes an AND", "write the instruction before I"
-            )
+            self._note("PN16", self._at)
         page = self._address & PAGE
         if self._zero and page and page == self._location & PAGE:
-            message = f"Z makes this refer to {self._address & ADDRESS:04o} on page zero"
-            self._note("PN14", message, f"for {self._address:04o}, on this page, leave out Z")
+            target, address = f"{self._address & ADDRESS:04o}", f"{self._address:04o}"
+            self._note("PN14", self._at, target=target, address=address)
 
     def _see_word(self) -> None:
         """Look at a statement that was doubtful."""
         swallowed, kept = self._swallowed, self._kept
         self._swallowed = self._kept = None
         if swallowed and not self._made:
-            message = f"{swallowed[1]} at the end of a statement leaves no word"
-            advice = "put it on its own line" if swallowed[1] != "Z" else "write Z before the address"
-            self._note("PN13", message, advice, swallowed[0])
+            at, name = swallowed
+            self._note("PN13 Z" if name == "Z" else "PN13", at, name=name)
         if kept is not None and self._made:
-            message = "what stands before this comma is part of the word"
-            advice = "a space puts even the tag there; write the tag first, the comma directly after it"
-            self._note("PN10", message, advice, kept)
+            self._note("PN10", kept)
 
     def _see_pseudo(self, routine: str) -> None:
         if self._number == 1 and routine == "EXPUNGE":
@@ -186,68 +168,52 @@ class Watched(Assembler):
         mark = self._items[self._at][1]
         if mark not in " \t":
             what = "the next statement" if mark in ENDS else f"what follows the {mark}"
-            self._note("PN20", f"{routine} takes {what}", f"write a space and the operand after {routine}")
+            self._note("PN20", self._at, name=routine, what=what)
         if routine == "FIELD" and self._so_far:
             self._see_operand()
 
     def _see_operand(self) -> None:
-        message = f"what stands before it, {self._so_far:04o}, is part of the operand"
-        self._note("PN19", message, "put it on its own line")
+        self._note("PN19", self._at, word=f"{self._so_far:04o}")
 
     def _look_at_forgotten(self) -> None:
         self._expunged = self._at
         if self._symbols.end > self._symbols.first:
-            message = "EXPUNGE forgets the symbols that the source has used before"
-            self._add("PN22", self._at, message, "put it first")
+            self._add("PN22", self._at)
 
     def _look_at_undefined(self) -> None:
         words = self._symbols.words
         entries = range(self._symbols.first, self._symbols.end, ENTRY)
         names = [spelled(self._symbols.name(entry)) for entry in entries if words[entry] & UNDEFINED]
         if names:
-            message = f"FIXTAB keeps what is not defined yet: {' '.join(names)}"
-            advice = "it is in no symbol table and gets no UA; put FIXTAB after the definitions"
-            self._add("PN23", self._at, message, advice)
+            self._add("PN23", self._at, names=" ".join(names))
 
     def _see_tag(self) -> None:
         if self._so_far:
             self._kept = self._at
             self._doubtful = True
         if not self._has_symbol:
-            self._note("PN11", "no symbol stands before this comma", _POINTER)
+            self._note("PN11", self._at, mark="comma")
         name = self._name[:SIGNIFICANT]
         if name in NAMES:
-            from pal.notes import RESERVED
-
-            message = f"{name} is a permanent symbol, and keeps its value"
-            self._note(RESERVED, message, "give the tag another name")
+            self._note("PN30", self._at, name=name)
             return
         value = self._symbols.word(self._pointer + VALUE)
         if name[:1].isalpha() and value != self._location and self._pointer not in self._twice:
-            message = f"{name} is {value:04o} from pass 1, and stands at {self._location:04o} in pass 2"
-            self._note(
-                "PN25", message, "an origin depends on a symbol that is defined after it; define it first"
-            )
+            location = f"{self._location:04o}"
+            self._note("PN25", self._at, name=name, value=f"{value:04o}", location=location)
 
     def _see_equals(self, pointer: int) -> None:
         if not self._has_symbol:
-            self._note("PN11", "no symbol stands before this equals sign", _POINTER)
+            self._note("PN11", self._at, mark="equals sign")
         elif self._so_far:
-            message = f"what stands before the equals sign, {self._so_far:04o}, is part of the value"
-            advice = "a space puts even the symbol there; write the equals sign directly after it"
-            self._note("PN12", message, advice)
+            self._note("PN12", self._at, word=f"{self._so_far:04o}")
         elif self._name[:SIGNIFICANT] in NAMES:
-            from pal.notes import RESERVED
-
-            message = f"{self._name} is a permanent symbol, and has another value from here on"
-            self._note(RESERVED, message, "give the symbol another name")
+            self._note("PN30 value", self._at, name=self._name)
         self._assigned = pointer
 
     def _see_star(self) -> None:
         if self._name:
-            self._note(
-                "PN19", f"{self._name} before the asterisk has no effect", "put the origin on its own line"
-            )
+            self._note("PN19 name", self._at, name=self._name)
         elif self._so_far:
             self._see_operand()
 
@@ -258,11 +224,10 @@ class Watched(Assembler):
         if moved == boundary or moved - ENTRY == self._assigned:
             return
         name = spelled(self._symbols.name(moved - ENTRY))
-        message = f"FIXMRI makes {name} a memory reference, whatever it defines"
-        self._add("PN21", self._at, message, "use it for the first definitions after EXPUNGE")
+        self._add("PN21", self._at, name=name)
 
     def _lose(self) -> None:
         super()._lose()
         first, after = self.lost[-1]
         if any(name or mark not in " \t\r" for name, mark in self._items[first:after]):
-            self._note("PN26", "what follows PAUSE on its line is lost", "end the line after PAUSE")
+            self._note("PN26", self._at)

@@ -11,14 +11,12 @@ from pal import pal8, punch, symbols8
 from pal.assembler import Written
 from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
 from pal.notes import (
-    AFTER_END,
     ERROR,
-    LOWER_CASE,
-    NOT_ON_8L,
     NOTE,
     Mention,
     Note,
     Said,
+    note,
     of_model,
     of_names,
     of_overlays,
@@ -164,7 +162,7 @@ class Work8:
 
     def said(self) -> list[Said]:
         """Return the errors, and our notes."""
-        return [*((ERROR, error, "") for error in self.errors), *((NOTE, note, "") for note in self._notes())]
+        return [*((ERROR, error, "") for error in self.errors), *((NOTE, each, "") for each in self._notes())]
 
     def _notes(self) -> list[Note]:
         run = self._run
@@ -172,7 +170,7 @@ class Work8:
         notes = [*run.notes, *of_words(run.written, _INSTRUCTIONS)]
         if not full:
             punched = [piece for piece in run.output if isinstance(piece, Written)]
-            notes += [note for note in of_overlays(punched) if not self._is_meant(note.at)]
+            notes += [each for each in of_overlays(punched) if not self._is_meant(each.at)]
         if self._model:
             named = (each for each in run.written if any(name in _INSTRUCTIONS for name in each.names))
             notes += of_model(named, self._model)
@@ -202,8 +200,7 @@ class Work8:
                 longer.append((self._in_full(mention.at), mention.at))
             elif name in later and not mention.defined:
                 later.discard(name)  # it is told once
-                message = f"{name}, {known[name].value:04o}, is no instruction of a PDP-8/L"
-                notes.append(Note(NOT_ON_8L, mention.at, message, "it does nothing there, or something else"))
+                notes.append(note("PN37", mention.at, name=name, octal=octal(known[name].value)))
         return [*notes, *self._on_undefined(), *of_names(longer, _INSTRUCTIONS)]
 
     def _on_undefined(self) -> list[Note]:
@@ -225,8 +222,7 @@ class Work8:
         for written in self._run.written:
             word = written.word
             if word & 0o7704 == 0o6200 and word & 0o70 and any(name in _FIELDS for name in written.names):
-                message = f"{word:04o} is for field {word >> 3 & 7}, which a PDP-8/L of 4K has not"
-                return [Note(NOT_ON_8L, written.at, message, "without the MC8/L it does nothing")]
+                return [note("PN37 field", written.at, octal=octal(word), field=str(word >> 3 & 7))]
         return []
 
     def _of_lines(self) -> list[Note]:
@@ -242,13 +238,10 @@ class Work8:
                 and any("a" <= each <= "z" for each in _TOKEN.findall(text))
             ):
                 small = True
-                message = "small letters are capitals here; DEC's PAL8 passes over them (IC)"
-                notes.append(Note(LOWER_CASE, self._run.place_of_line(index), message, "write capitals"))
+                notes.append(note("PN35 PAL8", self._run.place_of_line(index)))
             if len(code) > pal8.LINE and code[pal8.LINE :].strip():
-                message = (
-                    f"a line of {len(text)} characters; DEC's PAL8 reads {pal8.LINE}, and loses code here"
-                )
-                notes.append(Note("PN55", self._run.place_of_line(index), message, "break the line"))
+                at = self._run.place_of_line(index)
+                notes.append(note("PN55", at, length=str(len(text)), most=str(pal8.LINE)))
         return notes
 
     def _statement(self, at: int) -> int:
@@ -267,13 +260,12 @@ class Work8:
             return []
         if run.output and isinstance(run.output[0], Written):
             at = run.place_of_line(min(run.ended, len(lines) - 1))
-            message = "DEC's PAL8 punches no origin at the beginning: a RELOC comes last"
-            return [Note("PN56", at, message, "end the source with an origin, as *200")]
+            return [note("PN56 RELOC", at)]
         if run.ended == len(lines):
             at = run.place_of_line(len(lines) - 1)
-            return [Note("PN27", at, "no $ at the end", "DEC's PAL8 supplies it; palbart asks for it")]
+            return [note("PN27 PAL8", at)]
         for index in range(run.ended + 1, len(lines)):
             if lines[index].text.strip(" \t"):
                 at = run.place_of_line(index)
-                return [Note(AFTER_END, at, "text after $ is not read", "put the $ at the end")]
+                return [note("PN03", at)]
         return []

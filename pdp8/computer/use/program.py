@@ -111,7 +111,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
 
 def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> Program:
     from pal.assembling import assemble
-    from pal.notes import DIALECT
+    from pal.messages import DIALECT, worded
 
     if all(kinds.only_figures(source) for source in sources):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
@@ -129,9 +129,7 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
     notes: tuple[str, ...] = ()
     if dialect == FOUND and assembly.dialect != PAL3:
-        from pal.recognition import TAKEN
-
-        notes = (TAKEN,)
+        notes = (worded(DIALECT).message,)
     return Program(names[0], kinds.ASCII, assembly.words, assembly, notes)
 
 

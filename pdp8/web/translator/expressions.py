@@ -318,10 +318,8 @@ class Expressions(Types):
     def _arguments(self, node: ast.Call, found: Found | None) -> str:
         """Return the arguments of a call, those by keywords in the places of the parameters."""
         values, names = [self.e(each) for each in node.args], list(_LIBRARY.get(leaf(node.func), ()))
+        given = {each.arg: each.value for each in node.keywords if each.arg != "strict"}
         signature = self.program.signature(found)
-        if signature and signature.kwarg:
-            keys = [each.arg and ast.Constant(each.arg) for each in node.keywords]
-            return self.e(ast.Dict(keys, [each.value for each in node.keywords]))  # type: ignore[arg-type]
         if signature:
             names = [each.arg for each in signature.args if each.arg != "self"]
             if signature.vararg:
@@ -332,8 +330,13 @@ class Expressions(Types):
             elif node.keywords and any(isinstance(each, ast.Starred) for each in node.args):
                 self.fail(node, "an unpacked argument before keywords")
             names += [each.arg for each in signature.kwonlyargs]
-        given = {each.arg: self.e(each.value) for each in node.keywords if each.arg != "strict"}
+            if signature.kwarg:
+                rest = [name for name in given if name not in names]
+                keys = [name and ast.Constant(name) for name in rest]
+                names.append(signature.kwarg.arg)
+                given[signature.kwarg.arg] = ast.Dict(keys, [given.pop(name) for name in rest])  # type: ignore[arg-type]
         if given.keys() - set(names):
             self.fail(node, "keywords that are no parameters")
         last = max((names.index(each) for each in given if each), default=-1)
-        return ", ".join(values + [given.get(name, "undefined") for name in names[len(values) : last + 1]])
+        missing = names[len(values) : last + 1]
+        return ", ".join(values + [self.e(given[name]) if name in given else "undefined" for name in missing])

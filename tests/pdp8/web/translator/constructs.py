@@ -124,6 +124,10 @@ def _named(**fields: int) -> Mapping[str, int]:
     return fields
 
 
+def _keyed(key: str, at: int = 7, **fields: str) -> str:
+    return f"{key} {at} {''.join([f'{name}={fields[name]} ' for name in fields])}"
+
+
 def wide_numbers() -> Any:
     """Numbers beyond 2^31, up to 2^53, and NEVER."""
     ticks, least = (1 << 52) + 12345, -(1 << 40) - 7
@@ -283,7 +287,7 @@ def calls() -> Any:
     more()
     more(4)
     return [
-        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(more=4).value, _named(a=1, **spent), more(0), 
+        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(more=4).value, _named(a=1, **spent), more(0), _keyed("k"), _keyed("k", 1, b="2"), _keyed("k", b="2", at=3), 
         [*map(len, ["a", "bb"])], (lambda x: x + 1)(2), [f(2) for f in (more, abs)],
     ]  # fmt: skip
 
