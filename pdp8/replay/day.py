@@ -26,7 +26,10 @@ from pdp8.computer.use.operator import BIN_START, RIM_START, Action, Operator, P
 from tapes import ascii, frames, rim
 from tapes.errors import WorkError
 
-ARRANGED: Final = "The thesis gives the times; that they were one afternoon is our arrangement."
+ARRANGED: Final = (
+    "The thesis gives minutes for punching, translating and cutting; the others, and that it was one "
+    "afternoon, are our arrangement."
+)
 """To be said where an afternoon begins. The Talyrond stood, it seems, at Mohawk College, whose
 metrology facilities the thesis gives thanks for; the way there is left out."""
 

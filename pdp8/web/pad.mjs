@@ -15,6 +15,7 @@ export class Pad {
       event.preventDefault();
       svg.setPointerCapture(event.pointerId);
       this.finger = this.#at(event);
+      this.drawn = [this.finger.n, this.finger.n];
     });
     svg.addEventListener("pointermove", (event) => {
       if (!this.finger) return;
@@ -24,6 +25,7 @@ export class Pad {
     for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, () => {
       if (!this.finger) return;
       this.finger = null;
+      this.#join();
       this.#smooth();
       changed();
     });
@@ -76,9 +78,18 @@ export class Pad {
 
   #draw(before, now) {
     const [one, other] = before.n < now.n ? [before, now] : [now, before];
+    this.drawn = [Math.min(this.drawn[0], one.n), Math.max(this.drawn[1], other.n)];
     for (let n = Math.max(0, Math.ceil(one.n)); n <= Math.min(COUNT - 1, other.n); n++) {
       this.heights[n] = Math.round(one.y + ((other.y - one.y) * (n - one.n)) / (other.n - one.n || 1));
     }
+  }
+
+  /** Move what was there on either side of the stroke up or down to meet it: no cliffs. */
+  #join() {
+    const [first, last] = [Math.max(0, Math.ceil(this.drawn[0])), Math.min(COUNT - 1, Math.floor(this.drawn[1]))];
+    if (first > last) return;
+    const [before, after] = [this.heights[first] - this.heights[first - 1], this.heights[last] - this.heights[last + 1]];
+    this.heights = this.heights.map((y, n) => Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y + (n < first ? before : n > last ? after : 0))));
   }
 
   /** Let the finger's shake go. */

@@ -216,13 +216,8 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
     own.locator("[name=tolerance]").fill(band)
     box = own.locator("svg").bounding_box()
     assert box
-    page.mouse.move(box["x"] + 10, box["y"] + 60)
-    page.mouse.down()
-    for wave in range(1, waves + 1):
-        page.mouse.move(
-            box["x"] + 10 + (box["width"] - 20) * wave / waves, box["y"] + 60 + 90 * (wave % 2), steps=6
-        )
-    page.mouse.up()
+    across = (box["width"] - 20) / waves
+    _stroke(page, (10, 60), *((10 + across * wave, 60 + 90 * (wave % 2)) for wave in range(1, waves + 1)))
     until(page, "document.getElementById('save').disabled")
     until(page, "!document.getElementById('save').disabled")
     said = own.locator(".said").inner_text()
@@ -244,18 +239,36 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
     bench.close()
 
 
+def test_the_rest_of_a_curve_moves_to_meet_a_short_stroke(page: Page) -> None:
+    page.locator("#own").scroll_into_view_if_needed()
+    page.wait_for_timeout(300)
+    page.locator("#own svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    _stroke(page, (150, 200), (200, 200))
+    page.locator("#own .groove").wait_for()
+    drawn = page.locator("#own .intended").first.get_attribute("d") or ""
+    heights = [float(y) for y in re.findall(r" ([\d.]+)", drawn)]
+    assert 190 < heights[50] < 210
+    assert max(abs(one - other) for one, other in pairwise(heights)) < 20
+
+
+def _stroke(page: Page, first: tuple[float, float], *others: tuple[float, float]) -> None:
+    """Draw a stroke through places of the frame."""
+    box = page.locator("#own svg").bounding_box()
+    assert box
+    page.mouse.move(box["x"] + first[0], box["y"] + first[1])
+    page.mouse.down()
+    for x, y in others:
+        page.mouse.move(box["x"] + x, box["y"] + y, steps=6)
+    page.mouse.up()
+
+
 def test_a_curve_too_steep_is_refused_and_its_shape_stays(page: Page) -> None:
     own = page.locator("#own")
     own.scroll_into_view_if_needed()
     own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     box = own.locator("svg").bounding_box()
     assert box
-    middle = box["x"] + box["width"] / 2
-    for x, y in ((box["x"] + 20, 20), (box["x"] + box["width"] - 20, 200)):
-        page.mouse.move(x, box["y"] + y)
-        page.mouse.down()
-        page.mouse.move(middle, box["y"] + y, steps=4)
-        page.mouse.up()
+    _stroke(page, (20, 20), (box["width"] / 2, 20), (box["width"] / 2 + 1, 200), (box["width"] - 20, 200))
     own.locator("[name=tolerance]").fill("31")
     until(page, "document.querySelector('#own .said').textContent.startsWith('It cannot be cut')")
     assert own.locator(".intended").count() == 1
