@@ -331,10 +331,11 @@ class Expressions(Types):
                 self.fail(node, "an unpacked argument before keywords")
             names += [each.arg for each in signature.kwonlyargs]
             if signature.kwarg:
-                rest = [name for name in given if name not in names]
-                keys = [name and ast.Constant(name) for name in rest]
+                rest = [each for each in node.keywords if each.arg not in names]
+                keys = [each.arg and ast.Constant(each.arg) for each in rest]
+                given = {name: value for name, value in given.items() if name in names}
                 names.append(signature.kwarg.arg)
-                given[signature.kwarg.arg] = ast.Dict(keys, [given.pop(name) for name in rest])  # type: ignore[arg-type]
+                given[signature.kwarg.arg] = ast.Dict(keys, [each.value for each in rest])  # type: ignore[arg-type]
         if given.keys() - set(names):
             self.fail(node, "keywords that are no parameters")
         last = max((names.index(each) for each in given if each), default=-1)

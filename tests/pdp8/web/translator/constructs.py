@@ -287,7 +287,7 @@ def calls() -> Any:
     more()
     more(4)
     return [
-        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(more=4).value, _named(a=1, **spent), more(0), _keyed("k"), _keyed("k", 1, b="2"), _keyed("k", b="2", at=3), 
+        _placed(1, 2), _placed(1, scale=3), _placed(*[1, 2], add=1), _after(1, 2, 3), Most(more=4).value, _named(a=1, **spent, **{"z": 3}), more(0), _keyed("k"), _keyed("k", 1, b="2"), _keyed("k", b="2", at=3), 
         [*map(len, ["a", "bb"])], (lambda x: x + 1)(2), [f(2) for f in (more, abs)],
     ]  # fmt: skip
 
