@@ -75,7 +75,12 @@ class Source:
     @cached_property
     def _ends(self) -> list[int]:
         """Where in `text` each line ends."""
-        return [at for at, character in enumerate(self.text) if character == "\r"]
+        ends = []
+        end = -1
+        for line in self.text.split("\r")[:-1]:
+            end += len(line) + 1
+            ends.append(end)
+        return ends
 
     @cached_property
     def line_ends(self) -> list[int]:
