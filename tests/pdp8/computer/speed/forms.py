@@ -14,7 +14,7 @@ import pal
 
 HOUSE = Path(pal.__file__).parents[1]
 COMPILED = (
-    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes")),
+    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes", "listing")),
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )
