@@ -42,7 +42,8 @@ class Made(NamedTuple):
     inputs: tuple[str, ...]
 
 
-_Table = dict[str, Made]
+_Groups = Mapping[str, Mapping[str, _Value]]
+"""Measures by the inputs that they are made from, whose names are apart by commas."""
 
 
 def measure(name: str) -> Measure:
@@ -62,74 +63,68 @@ def inputs(name: str) -> tuple[str, ...]:
 
 
 @cache
-def _table() -> _Table:
-    table = _machine() | _tape() | _computer() | _words() | _parts() | _elements()
-    for part in ("circle", "ellipse", "die", "polynomial", "fluidic"):
-        table |= _of_part(part)
-    return table
+def _table() -> dict[str, Made]:
+    groups = [_machine(), _tape(), _computer(), _words(), _parts(), *map(_of_part, _CONTOUR), _elements()]
+    return {
+        name: Made(value, tuple(made_from.split(", ")))
+        for group in groups
+        for made_from, values in group.items()
+        for name, value in values.items()
+    }
 
 
-def _from(names: str, values: Mapping[str, _Value]) -> _Table:
-    """Return measures that are made from these inputs, their names apart by commas."""
-    made_from = tuple(names.split(", ")) if names else ()
-    return {name: Made(value, made_from) for name, value in values.items()}
-
-
-def _machine() -> _Table:
+def _machine() -> _Groups:
     """Chapters 2 and 3: the Hydra-Point, its feeds, the drilling program."""
     feeds, z_feeds = sorted(XY_FEED.values()), sorted(Z_FEED.values())
     wanted = 1 / tan(radians(30))
     fast, slow = 1 + hydrapoint.FEED_TOLERANCE, 1 - hydrapoint.FEED_TOLERANCE
-    taken: dict[str, _Value] = {
-        "axes": len(nc.path.Position._fields),
-        "tools": len(hydrapoint.CAROUSEL),
-        "travel x": hydrapoint.X_TRAVEL / 1000,
-        "travel y": hydrapoint.Y_TRAVEL / 1000,
-        "travel z": hydrapoint.Z_TRAVEL / 1000,
-        "precision": lambda: work.PRECISION / 1000,
-        "accuracy": "±.001, page 9",
-        "resolution": hydrapoint.RESOLUTION,
-        "positioning speed": hydrapoint.POSITIONING_SPEED,
-        "feed tolerance": 100 * hydrapoint.FEED_TOLERANCE,
-        "mill code": int(Preparatory.MILL),
-        "read seconds": READ_SECONDS,
-        "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
-        "slope": degrees(atan2(*reversed(slopes.RUN))),
-        "slope length": sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
-        "diagonal": lambda: min(abs(r.angle) for r in _readings("45°") if r.angle),
-        "hole places": lambda: "; ".join(
-            f"{x / 1000:.3f}, {y / 1000:.3f}" for x, y, _ in chain.path("drill").holes
-        ),
-        "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
-        "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
+    return {
+        ITSELF: {
+            "axes": len(nc.path.Position._fields),
+            "tools": len(hydrapoint.CAROUSEL),
+            "travel x": hydrapoint.X_TRAVEL / 1000,
+            "travel y": hydrapoint.Y_TRAVEL / 1000,
+            "travel z": hydrapoint.Z_TRAVEL / 1000,
+            "precision": lambda: work.PRECISION / 1000,
+            "accuracy": "±.001, page 9",
+            "resolution": hydrapoint.RESOLUTION,
+            "positioning speed": hydrapoint.POSITIONING_SPEED,
+            "feed tolerance": 100 * hydrapoint.FEED_TOLERANCE,
+            "mill code": int(Preparatory.MILL),
+            "read seconds": READ_SECONDS,
+            "second ratio feeds": f"{XY_FEED[4]}/{XY_FEED[3]}",
+            "slope": degrees(atan2(*reversed(slopes.RUN))),
+            "slope length": sum(side**2 for side in slopes.RUN) ** 0.5 / 1000,
+            "diagonal": lambda: min(abs(r.angle) for r in _readings("45°") if r.angle),
+            "hole places": lambda: "; ".join(
+                f"{x / 1000:.3f}, {y / 1000:.3f}" for x, y, _ in chain.path("drill").holes
+            ),
+            "drill feed point": lambda: (chain.path("drill").steps[1].modes.feed_point or 0) / 1000,
+            "drill depth": lambda: chain.path("drill").steps[1].modes.final_depth / 1000,
+        },
+        "Table 2.4": {
+            "feed least": feeds[0],
+            "feed most": feeds[-1],
+            "z feed least": z_feeds[0],
+            "z feed most": z_feeds[-1],
+            "feeds": len(XY_FEED),
+            "first ratio": XY_FEED[2] / XY_FEED[1],
+            "second ratio": XY_FEED[4] / XY_FEED[3],
+        },
+        "Chapter 3": {"ratio of 30 degrees": wanted},
+        "Chapter 3, Table 2.4": {
+            "closest ratio": min(
+                (one / two for one in feeds for two in feeds), key=lambda r: abs(r - wanted)
+            ),
+            "holes": lambda: len(chain.path("drill").holes),
+            "blocks before the holes": lambda: len(_drill()) - len(chain.path("drill").holes),
+            "drill rows": lambda: re.sub(r", (\d+)$", r" and \1", ", ".join(row[:3] for row in _drill()[2:])),
+            "drill speed": lambda: SPINDLE[chain.path("drill").steps[0].block.tool],
+            **{f"drill block {number}": row for number, row in enumerate(_drill(), 1)},
+        },
+        "±20 %": {"deviation at 45 degrees": 100 * (degrees(atan2(fast, slow)) / 45 - 1)},
+        "Chapter 3, ±.005, ±20 %, codes 01 to 05": {"slope blocks": lambda: tables.fewest("slope")},
     }
-    table: dict[str, _Value] = {
-        "feed least": feeds[0],
-        "feed most": feeds[-1],
-        "z feed least": z_feeds[0],
-        "z feed most": z_feeds[-1],
-        "feeds": len(XY_FEED),
-        "first ratio": XY_FEED[2] / XY_FEED[1],
-        "second ratio": XY_FEED[4] / XY_FEED[3],
-    }
-    drill: dict[str, _Value] = {
-        "holes": lambda: len(chain.path("drill").holes),
-        "blocks before the holes": lambda: len(_drill()) - len(chain.path("drill").holes),
-        "drill rows": lambda: re.sub(r", (\d+)$", r" and \1", ", ".join(row[:3] for row in _drill()[2:])),
-        "drill speed": lambda: SPINDLE[chain.path("drill").steps[0].block.tool],
-        **{f"drill block {number}": row for number, row in enumerate(_drill(), 1)},
-    }
-    closest: dict[str, _Value] = {
-        "closest ratio": min((one / two for one in feeds for two in feeds), key=lambda r: abs(r - wanted))
-    }
-    return (
-        _from(ITSELF, taken)
-        | _from("Table 2.4", table)
-        | _from("Chapter 3", {"ratio of 30 degrees": wanted})
-        | _from("Chapter 3, Table 2.4", closest | drill)
-        | _from("±20 %", {"deviation at 45 degrees": 100 * (degrees(atan2(fast, slow)) / 45 - 1)})
-        | _from("Chapter 3, ±.005, ±20 %, codes 01 to 05", {"slope blocks": lambda: tables.fewest("slope")})
-    )
 
 
 @cache
@@ -137,7 +132,7 @@ def _drill() -> list[str]:
     return [" ".join(row) for row in tables.drilling().rows]
 
 
-def _tape() -> _Table:
+def _tape() -> _Groups:
     """Chapters 2, 5 and 6: the tape, its tracks and the rows of a block."""
     ends = [sum(list(FIELDS.values())[: place + 1]) for place in range(len(FIELDS))]
     last = dict(zip(FIELDS, ends, strict=True))
@@ -145,68 +140,68 @@ def _tape() -> _Table:
     printed = [name for name in FIELDS if name != "reserved"]
     line_335 = re.search("^335.*", _listing("circle.for"), re.MULTILINE)
     formats = [int(width) for width in re.findall(r"I(\d)", line_335[0] if line_335 else "")]
-    taken: dict[str, _Value] = {
-        "tape width": picture.WIDTH / 1000,
-        "code hole": picture.CODE_HOLE / 1000,
-        "guide hole": picture.SPROCKET_HOLE / 1000,
-        "row pitch": picture.PITCH / 1000,
-        "rows": hydrapoint.ROWS,
-        **{f"{name} digits": width for name, width in FIELDS.items()},
+    return {
+        ITSELF: {
+            "tape width": picture.WIDTH / 1000,
+            "code hole": picture.CODE_HOLE / 1000,
+            "guide hole": picture.SPROCKET_HOLE / 1000,
+            "row pitch": picture.PITCH / 1000,
+            "rows": hydrapoint.ROWS,
+            **{f"{name} digits": width for name, width in FIELDS.items()},
+        },
+        "EIA": {
+            "tracks": len(frames.channels(0o377)) + 1,
+            "track of guide holes": 1 + sum(picture.track(at) < picture.SPROCKET_TRACK for at in range(1, 9)),
+            "track of 8": frames.channels(eia.CODES["8"])[0] + 1,
+            "track of end of block": frames.channels(eia.EOB)[0] + 1,
+            "channel of end of block": frames.channels(eia.EOB)[0],
+            "bits of a digit": max(eia.CODES[digit] & 0o17 for digit in "0123456789").bit_length(),
+            "digit least": min(map(int, filter(str.isdigit, eia.CODES))),
+            "digit most": max(map(int, filter(str.isdigit, eia.CODES))),
+            "digit of tracks 1 and 3": int(eia.decode(bytes([eia.CODES["5"]]))),
+            "digit of track 5": int(eia.decode(bytes([0o010]))),
+        },
+        "Chapter 2": {
+            "digits": sum(FIELDS.values()),
+            "places": -round(log2(hydrapoint.RESOLUTION) / log2(10)),
+            **{f"{name} digit": digit for name, digit in first.items()},
+            **{f"{name} digit, last": digit for name, digit in last.items()},
+        },
+        "Appendix C": {f"format {name}": width for name, width in zip(printed, formats, strict=True)},
     }
-    code: dict[str, _Value] = {
-        "tracks": len(frames.channels(0o377)) + 1,
-        "track of guide holes": 1 + sum(picture.track(at) < picture.SPROCKET_TRACK for at in range(1, 9)),
-        "track of 8": frames.channels(eia.CODES["8"])[0] + 1,
-        "track of end of block": frames.channels(eia.EOB)[0] + 1,
-        "channel of end of block": frames.channels(eia.EOB)[0],
-        "bits of a digit": max(eia.CODES[digit] & 0o17 for digit in "0123456789").bit_length(),
-        "digit least": min(map(int, filter(str.isdigit, eia.CODES))),
-        "digit most": max(map(int, filter(str.isdigit, eia.CODES))),
-        "digit of tracks 1 and 3": int(eia.decode(bytes([eia.CODES["5"]]))),
-        "digit of track 5": int(eia.decode(bytes([0o010]))),
-    }
-    block: dict[str, _Value] = {
-        "digits": sum(FIELDS.values()),
-        "places": -round(log2(hydrapoint.RESOLUTION) / log2(10)),
-        **{f"{name} digit": digit for name, digit in first.items()},
-        **{f"{name} digit, last": digit for name, digit in last.items()},
-    }
-    widths: dict[str, _Value] = {
-        f"format {name}": width for name, width in zip(printed, formats, strict=True)
-    }
-    return _from(ITSELF, taken) | _from("EIA", code) | _from("Chapter 2", block) | _from("Appendix C", widths)
 
 
 def _listing(artefact: str) -> str:
     return "\n".join(row.ours for row in evidence.table(artefact))
 
 
-def _computer() -> _Table:
+def _computer() -> _Groups:
     """Chapter 4: the computer's words and instructions, as the assembler has them."""
     word = tables.word
     dca = word("DCA 277")
     mnemonics = ("CLA", "CMA", "RAR", "IAC", "SZA", "HLT", "KSF", "KRB", "TSF", "TLS")
     references = ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
-    core: dict[str, _Value] = {
-        "words, about": _MEMORY,
-        "bits": (_MEMORY - 1).bit_length(),
-        "last address": f"{_MEMORY - 1:o}",
-        "last address, binary": re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
-        "octal digits": len(f"{_MEMORY - 1:o}"),
-        "operations": len({word >> 9 for word in range(_MEMORY)}),
+    return {
+        ITSELF: {"words": _MEMORY, "page": f"{_PAGE:o}"},
+        "4096": {
+            "words, about": _MEMORY,
+            "bits": (_MEMORY - 1).bit_length(),
+            "last address": f"{_MEMORY - 1:o}",
+            "last address, binary": re.sub("(...)(?!$)", r"\1 ", f"{_MEMORY - 1:b}"),
+            "octal digits": len(f"{_MEMORY - 1:o}"),
+            "operations": len({word >> 9 for word in range(_MEMORY)}),
+        },
+        "PAL III": {
+            "operand digits": len(f"{word('TAD 0') ^ 0o777:04o}") - 1,
+            "operand of 3277": f"{dca & 0o777:o}",
+            "DCA 77 of the page": f"{dca:o}",
+            "line of 3277": f"{dca & 0o177:o}",
+            "OPR": f"{word('CLA') >> 9:o}",
+            "IOT": f"{word('KRB') >> 9:o}",
+            **{name: f"{word(name):o}" for name in mnemonics},
+            **{name: f"{word(f'{name} 0') >> 9:o}" for name in references},
+        },
     }
-    instructions: dict[str, _Value] = {
-        "operand digits": len(f"{word('TAD 0') ^ 0o777:04o}") - 1,
-        "operand of 3277": f"{dca & 0o777:o}",
-        "DCA 77 of the page": f"{dca:o}",
-        "line of 3277": f"{dca & 0o177:o}",
-        "OPR": f"{word('CLA') >> 9:o}",
-        "IOT": f"{word('KRB') >> 9:o}",
-        **{name: f"{word(name):o}" for name in mnemonics},
-        **{name: f"{word(f'{name} 0') >> 9:o}" for name in references},
-    }
-    taken: dict[str, _Value] = {"words": _MEMORY, "page": f"{_PAGE:o}"}
-    return _from(ITSELF, taken) | _from("4096", core) | _from("PAL III", instructions)
 
 
 def _conversion() -> Mapping[str, int]:
@@ -220,7 +215,7 @@ def _signed(word: int) -> str:
     return f"{word:o}" if word < _MEMORY // 2 else f"-{_MEMORY - word:o}"
 
 
-def _words() -> _Table:
+def _words() -> _Groups:
     """Chapter 5: characters as they come, masked, and reduced by Appendix B's constants."""
     constants = _conversion()
 
@@ -235,36 +230,35 @@ def _words() -> _Table:
 
     digits = [_signed(reduced(digit)) for digit in "0123456789"]
     negatives = [_signed(constants[f"M{digit}"]) for digit in range(1, 10)]
-    stored: dict[str, _Value] = {
-        "MASK": f"{constants['MASK']:o}",
-        "M60": _signed(constants["M60"]),
-        "MCR": f"{constants['MCR']:o}",
-        "MSP": f"{constants['MSP']:o}",
-        "M3": _signed(constants["M3"]),
-        "P3": f"{constants['P3']:o}",
-        "M1 to M9": ", ".join([*negatives[:2], "...", *negatives[6:]]),
-        "example digit": int(eia.decode(bytes([constants["P3"]]))),
+    return {
+        "Appendix B": {
+            "MASK": f"{constants['MASK']:o}",
+            "M60": _signed(constants["M60"]),
+            "MCR": f"{constants['MCR']:o}",
+            "MSP": f"{constants['MSP']:o}",
+            "M3": _signed(constants["M3"]),
+            "P3": f"{constants['P3']:o}",
+            "M1 to M9": ", ".join([*negatives[:2], "...", *negatives[6:]]),
+            "example digit": int(eia.decode(bytes([constants["P3"]]))),
+        },
+        ITSELF: {
+            "ascii 0 1 2": ", ".join(f"{came(d):o} ({d})" for d in "012"),
+            "ascii 8 9": ", ".join(f"{came(d):o} ({d})" for d in "89"),
+            "ascii 3": f"{came('3'):o}",
+            "ascii CR": f"{came(chr(10)):o}",
+            "ascii space": f"{came(' '):o}",
+        },
+        "ASCII, Appendix B": {
+            "masked 0": f"{masked('0'):o} (0)",
+            "masked 9": f"{masked('9'):o} (9)",
+            "masked CR": f"{masked(chr(10)):o}",
+            "masked space": f"{masked(' '):o}",
+            "reduced digits": ", ".join([*digits[:3], "...", *digits[7:]]),
+            "reduced 3": _signed(reduced("3")),
+            "reduced CR": _signed(reduced("\n")),
+            "reduced space": _signed(reduced(" ")),
+        },
     }
-    with_channel_8 = {
-        "ascii 0 1 2": ", ".join(f"{came(d):o} ({d})" for d in "012"),
-        "ascii 8 9": ", ".join(f"{came(d):o} ({d})" for d in "89"),
-        "ascii 3": f"{came('3'):o}",
-        "ascii CR": f"{came(chr(10)):o}",
-        "ascii space": f"{came(' '):o}",
-    }
-    worked_out = {
-        "masked 0": f"{masked('0'):o} (0)",
-        "masked 9": f"{masked('9'):o} (9)",
-        "masked CR": f"{masked(chr(10)):o}",
-        "masked space": f"{masked(' '):o}",
-        "reduced digits": ", ".join([*digits[:3], "...", *digits[7:]]),
-        "reduced 3": _signed(reduced("3")),
-        "reduced CR": _signed(reduced("\n")),
-        "reduced space": _signed(reduced(" ")),
-    }
-    return (
-        _from("Appendix B", stored) | _from(ITSELF, with_channel_8) | _from("ASCII, Appendix B", worked_out)
-    )
 
 
 _CONTOUR: Final = {
@@ -277,98 +271,92 @@ _CONTOUR: Final = {
 """What the contour of a part is made from."""
 
 
-def _of_part(part: str) -> _Table:
+def _of_part(part: str) -> _Groups:
     """What the thesis counts and times of a part: its tape, and its machining by both techniques."""
     contour, pieces = _CONTOUR[part], f"{_CONTOUR[part]}, ±20 %, codes 01 to 05"
-    return (
-        _from(contour, {f"{part} blocks": lambda: len(chain.path(part))})
-        | _from(f"{contour}, 2 s, Table 2.4", {f"{part} minutes": lambda: _minutes(chain.path(part))})
-        | _from(f"{contour}, 6 rubouts", {f"{part} tape minutes": lambda: _tape_minutes(part)})
-        | _from(pieces, {f"{part} pieces": lambda: f"{tables.fewest(part)} or more"})
-        | _from(f"{pieces}, our stops, 2 s", {f"{part} pieces minutes": lambda: _minutes(chain.pieces(part))})
-    )
+    return {
+        contour: {f"{part} blocks": lambda: len(chain.path(part))},
+        f"{contour}, 2 s, Table 2.4": {f"{part} minutes": lambda: _minutes(chain.path(part))},
+        f"{contour}, 6 rubouts": {f"{part} tape minutes": lambda: _tape_minutes(part)},
+        pieces: {f"{part} pieces": lambda: f"{tables.fewest(part)} or more"},
+        f"{pieces}, our stops, 2 s": {f"{part} pieces minutes": lambda: _minutes(chain.pieces(part))},
+    }
 
 
-def _parts() -> _Table:
+def _parts() -> _Groups:
     """Chapters 7 and 10: circle, ellipse, die and polynomial."""
     polynomial, passes, axes = PARTS["polynomial"], tables.PASSES["die"], die.AXES["opening"]
     crossings = [0.0, _default("polynomial", "b"), _default("polynomial", "c")]
     legible = re.search(r"^355 ARS=(\d+)", _listing("circle.for"), re.MULTILINE)
     centre = (int(legible[1]) if legible else 0) + _default("circle", "tolerance")
-    taken: dict[str, _Value] = {
-        "tolerance": _default("circle", "tolerance") / 1000,
-        "cutter": PARTS["circle"].cutter,
-        "division": lambda: float(re.findall(r"division ([.\d]+) in", work.polar_graphs()[0])[0]),
-        "magnification": lambda: int(re.findall(r"magnification (\d+)", work.polar_graphs()[0])[0]),
-        "ellipse major": _default("ellipse", "major") / 1000,
-        "ellipse minor": _default("ellipse", "minor") / 1000,
-        **{f"die block {axis}": side / 1000 for axis, side in zip("xyz", die.BLOCK, strict=True)},
-        "die length": 2 * axes[0] / 1000,
-        "die height": 2 * axes[1] / 1000,
-        "die programs": len(die.AXES),
-        **{f"polynomial {name}": _default("polynomial", name) for name in "abc"},
-        "polynomial tolerance": polynomial.tolerance,
-        **{f"polynomial crossing {number}": x for number, x in enumerate(crossings, 1)},
+    return {
+        ITSELF: {
+            "tolerance": _default("circle", "tolerance") / 1000,
+            "cutter": PARTS["circle"].cutter,
+            "division": lambda: float(re.findall(r"division ([.\d]+) in", work.polar_graphs()[0])[0]),
+            "magnification": lambda: int(re.findall(r"magnification (\d+)", work.polar_graphs()[0])[0]),
+            "ellipse major": _default("ellipse", "major") / 1000,
+            "ellipse minor": _default("ellipse", "minor") / 1000,
+            **{f"die block {axis}": side / 1000 for axis, side in zip("xyz", die.BLOCK, strict=True)},
+            "die length": 2 * axes[0] / 1000,
+            "die height": 2 * axes[1] / 1000,
+            "die programs": len(die.AXES),
+            **{f"polynomial {name}": _default("polynomial", name) for name in "abc"},
+            "polynomial tolerance": polynomial.tolerance,
+            **{f"polynomial crossing {number}": x for number, x in enumerate(crossings, 1)},
+        },
+        "Appendix C, ±.005": {"circle centre diameter": 2 * centre / 1000},
+        "Appendix C, ±.005, cutter": {
+            "circle diameter": (2 * centre + 1000 * PARTS["circle"].cutter) / 1000,
+            "circle worst": lambda: max(r.trough_to_peak for r in _readings("Y")) / 1000,
+            "circle diagonals": lambda: max(r.trough_to_peak for r in _readings("45°")) / 1000,
+        },
+        "Appendix D": {
+            "ellipse length": 2 * _default("ellipse", "major") / 1000,
+            "ellipse height": 2 * _default("ellipse", "minor") / 1000,
+        },
+        "Appendix D, 2 s, Table 2.4": {
+            "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
+            "ellipse cutting": lambda: chain.path("ellipse").contour.milling / 60,
+            "ellipse efficiency": lambda: 100 * chain.path("ellipse").contour.efficiency,
+        },
+        "±.01": {"polynomial band": lambda: _band_height() / polynomial.tolerance / 1000},
+        "Appendix D, die's path, 2 s, 5 passes": {"die total": lambda: passes * _minutes(chain.path("die"))},
+        "Appendix D, die's path, ±20 %, codes 01 to 05, our stops, 2 s, 5 passes": {
+            "die pieces total": lambda: passes * _minutes(chain.pieces("die"))
+        },
     }
-    circle: dict[str, _Value] = {
-        "circle diameter": (2 * centre + 1000 * PARTS["circle"].cutter) / 1000,
-        "circle worst": lambda: max(r.trough_to_peak for r in _readings("Y")) / 1000,
-        "circle diagonals": lambda: max(r.trough_to_peak for r in _readings("45°")) / 1000,
-    }
-    ellipse = {
-        "ellipse length": 2 * _default("ellipse", "major") / 1000,
-        "ellipse height": 2 * _default("ellipse", "minor") / 1000,
-    }
-    of_its_minutes: dict[str, _Value] = {
-        "ellipse reading": lambda: chain.path("ellipse").contour.reading / 60,
-        "ellipse cutting": lambda: chain.path("ellipse").contour.milling / 60,
-        "ellipse efficiency": lambda: 100 * chain.path("ellipse").contour.efficiency,
-    }
-    dies = {"die total": lambda: passes * _minutes(chain.path("die"))}
-    pieces = {"die pieces total": lambda: passes * _minutes(chain.pieces("die"))}
-    return (
-        _from(ITSELF, taken)
-        | _from("Appendix C, ±.005", {"circle centre diameter": 2 * centre / 1000})
-        | _from("Appendix C, ±.005, cutter", circle)
-        | _from("Appendix D", ellipse)
-        | _from("Appendix D, 2 s, Table 2.4", of_its_minutes)
-        | _from("±.01", {"polynomial band": lambda: _band_height() / polynomial.tolerance / 1000})
-        | _from("Appendix D, die's path, 2 s, 5 passes", dies)
-        | _from("Appendix D, die's path, ±20 %, codes 01 to 05, our stops, 2 s, 5 passes", pieces)
-    )
 
 
-def _elements() -> _Table:
+def _elements() -> _Groups:
     """Chapter 8: the fluidic element."""
     outline, channel = fluidic.outline(), fluidic.channel(0)
     corners = [place for segment in outline if isinstance(segment, fluidic.Slope) for place in segment]
     cutter = PARTS["fluidic"].cutter
     nozzle = min(u for u, v in corners if u > 0 and v <= fluidic.EXIT)
     oblique, arcs = len(work.oblique(outline)), sum(isinstance(segment, fluidic.Bend) for segment in outline)
-    taken: dict[str, _Value] = {
-        "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
-        "element scale": fluidic.SCALE,
-        "element slopes": oblique,
-        "element arcs": arcs,
-        "channel slopes": 2 * len(work.oblique(channel)),
-        "element cutter": cutter,
-        "element tolerance": PARTS["fluidic"].tolerance,
-        "downstream": find("8.3").given["control"],
-        "talysurf division": talysurf.DIVISION / 1000,
+    return {
+        ITSELF: {
+            "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
+            "element scale": fluidic.SCALE,
+            "element slopes": oblique,
+            "element arcs": arcs,
+            "channel slopes": 2 * len(work.oblique(channel)),
+            "element cutter": cutter,
+            "element tolerance": PARTS["fluidic"].tolerance,
+            "downstream": find("8.3").given["control"],
+            "talysurf division": talysurf.DIVISION / 1000,
+        },
+        "Chapter 8": {"element routines": oblique + arcs},
+        "Chapter 8, outline": {
+            "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
+            "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
+            "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
+            "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
+            "element hours": lambda: _minutes(chain.path("fluidic")) / 60,
+            "slope roughness": _roughness,
+        },
     }
-    fitted: dict[str, _Value] = {
-        "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
-        "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
-        "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),
-        "control blocks": lambda: chain.printout("fluidic", program="control").count("\n"),
-        "element hours": lambda: _minutes(chain.path("fluidic")) / 60,
-        "slope roughness": _roughness,
-    }
-    return (
-        _from(ITSELF, taken)
-        | _from("Chapter 8", {"element routines": oblique + arcs})
-        | _from("Chapter 8, outline", fitted)
-    )
 
 
 def _tape_minutes(part: str) -> float:
