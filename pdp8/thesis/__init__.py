@@ -5,7 +5,7 @@ making       an item of it made: a sheet or a text, with its caption
 gallery      the page that sets all of them beside the thesis
 
 numbers      every number of the chapters: its page, its words, ours, what makes it
-measures     what we make of each                      measured   those that take long, kept
+measures     what we make of each                      (measured.json: those that take long, kept)
 inputs       what that is made from, and what may be said of it
 
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
@@ -16,8 +16,8 @@ facsimile    listings B, C and D as they stood on their pages
 edition      the tables of docs/thesis.md and docs/restoration.md, and the sources of programs/
 
 The makers:
-slopes       the two techniques            diagrams    construction, die, element; drawn/ has the rest
-codes        tapes and codes                           (machine, test, flow charts)
+slopes       the two techniques            diagrams    the element; drawn/ has what nothing computes
+codes        tapes and codes                           (machine, die, construction, test, flow charts)
 work         parts, polar graphs, traces   tables      the tables, computed
 listings     the listings and programs     chain       a part program's tape, translated and cut
 paper        a figure on its sheet         table       text in columns

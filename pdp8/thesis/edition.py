@@ -9,12 +9,13 @@
 `make evidence` runs this as a program, in the project's folder.
 """
 
+import json
 import re
 from collections.abc import Callable, Iterator
 from importlib.resources import files
 from pathlib import Path
 
-from pdp8.thesis import measured, numbers
+from pdp8.thesis import measures, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 
@@ -87,7 +88,8 @@ def _variants(page_: str) -> Iterator[tuple[str, ...]]:
 
 def main() -> None:
     """Write the measures, the pages and the sources again."""
-    measured.write(one.measure for one in numbers.numbers())
+    kept = measures.computed(one.measure for one in numbers.numbers())
+    Path(__file__).with_name(measures.KEPT).write_text(json.dumps(kept, indent=1) + "\n")
     for path in (Path("docs/thesis.md"), Path("docs/restoration.md")):
         path.write_text(page(path.read_text()))
     for artefact in ARTEFACTS:

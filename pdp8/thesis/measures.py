@@ -1,12 +1,15 @@
 """Our value for each number of the thesis: a constant of what runs here, or computed from tapes and paths.
 
 A measure has a name, which numbers.txt uses, and names its inputs (`inputs`). It is a number, or of octal
-words, lists and blocks a string; "227 or more" is a proved least.
+words, lists and blocks a string; "227 or more" is a proved least. Those that take long are kept in
+measured.json: `make evidence` computes them again, a test compares each.
 """
 
+import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
+from importlib.resources import files
 from inspect import signature
 from math import atan2, degrees, log2, radians, tan
 from typing import Any, Final, NamedTuple
@@ -29,6 +32,7 @@ Measure = float | str
 
 _MEMORY: Final = 1 << 12
 _PAGE: Final = 0o200
+KEPT: Final = "measured.json"
 
 
 _Value = Measure | Callable[[], Measure]
@@ -47,14 +51,25 @@ _Groups = Mapping[str, Mapping[str, _Value]]
 
 
 def measure(name: str) -> Measure:
-    """Return a measure by its name."""
+    """Compute a measure by its name."""
     found = _table()[name].value
     return found() if callable(found) else found
 
 
-def takes_long(name: str) -> bool:
-    """Tell whether a measure is computed when it is asked for; `measured` keeps it."""
-    return callable(_table()[name].value)
+def value(name: str) -> Measure:
+    """Return a measure by its name, as it is kept if it takes long."""
+    return _kept()[name] if callable(_table()[name].value) else measure(name)
+
+
+def computed(names: Iterable[str]) -> dict[str, Measure]:
+    """Return the measures of those names that take long, computed."""
+    return {name: measure(name) for name in names if name and callable(_table()[name].value)}
+
+
+@cache
+def _kept() -> dict[str, Measure]:
+    kept: dict[str, Measure] = json.loads((files("pdp8.thesis") / KEPT).read_text(encoding="utf-8"))
+    return kept
 
 
 def inputs(name: str) -> tuple[str, ...]:

@@ -26,9 +26,8 @@ from collections.abc import Iterator
 from importlib.resources import files
 from typing import Final, NamedTuple
 
-from pdp8.thesis import measured
 from pdp8.thesis.inputs import state
-from pdp8.thesis.measures import Measure, inputs
+from pdp8.thesis.measures import Measure, inputs, value
 from pdp8.thesis.table import Table
 
 WITHIN: Final = 0.05
@@ -54,7 +53,7 @@ class Number(NamedTuple):
     @property
     def ours(self) -> Measure | None:
         """What we make of it; None where nothing here makes it."""
-        return measured.value(self.measure) if self.measure else None
+        return value(self.measure) if self.measure else None
 
     @property
     def inputs(self) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from pdp8.thesis.catalogue import Item, catalogue, find
 from pdp8.thesis.making import Made, make
 from pdp8.thesis.supplied import marked
 from programs import fluidic
+from programs.die import AXES
 from tapes import eia
 from tapes.quantities import inches
 
@@ -214,12 +215,13 @@ def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> N
 
 def test_the_die_s_block_and_opening_are_to_scale() -> None:
     """Half size: the block 12 x 8 in is 600 x 400, 2 in thick 100; the path 6 x 3, the hole 1/2 in wider."""
-    root = ET.fromstring(diagrams.die())
+    root = ET.fromstring(diagrams.drawn("7.4"))
     sizes = [(float(box.get("width", 0)), float(box.get("height", 0))) for box in root.iter(f"{SVG}rect")]
     assert (600, 400) in sizes
     assert (600, 100) in sizes
     axes = {(float(e.get("rx", 0)), float(e.get("ry", 0))) for e in root.iter(f"{SVG}ellipse")}
     assert {(150, 75), (162.5, 87.5)} <= axes
+    assert {(a / 20, b / 20) for a, b in AXES.values()} <= axes
     assert (len(chain.path("die")), len(chain.path("die", major=2750, minor=1250))) == (778, 674)
     assert "778 blocks" in find("7.4").note
     assert "674" in find("7.4").note

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.thesis import chain, edition, measured, measures, tables
+from pdp8.thesis import chain, edition, measures, tables
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.inputs import COMPUTED, DIFFERS, FITTED, FROM_TEXT, INPUTS, NOT_MADE, state
 from pdp8.thesis.numbers import numbers, plain
@@ -116,8 +116,8 @@ def test_no_number_that_is_computed_hangs_on_a_result_of_the_thesis(monkeypatch:
 
 @pytest.mark.slow("computes what takes long")
 def test_what_is_kept_is_what_is_computed() -> None:
-    computed = measured.computed(one.measure for one in ALL)
-    assert {name: measured.value(name) for name in computed} == computed
+    computed = measures.computed(one.measure for one in ALL)
+    assert {name: measures.value(name) for name in computed} == computed
 
 
 def _forget() -> None:
