@@ -152,9 +152,9 @@ def _list() -> None:
 def evidence(file: str, tei: bool, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
 
-    FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for, or a table, ch2-block or 2.3. A line is
-    legible, damaged, implied (by a word, a twin, a header) or a conjecture; ^ is one more line of ours from
-    the scan's line above.
+    FILE is eia.pal, eia1.pal, eia2.pal, circle.for or ellipse.for, or a table: ch2-block, 2.3,
+    ch4-memory-reference, ch4-microinstructions or ch4-input-output. A line is legible, damaged, implied (by a
+    word, a twin, a header) or a conjecture; ^ is one more line of ours from the scan's line above.
 
     \b
     Examples:

@@ -20,7 +20,7 @@ A blank line is one in the artefact, # opens a comment.
     none         has a line that does not belong to the listing: a heading, a page number, dirt
 
 /W is implied by the word that stands there, /R by a twin, a header or a pattern.
-Source: the thesis, pages 13 and 14 (Chapter 2), 44 and 45 (Chapter 5), 105 to 113 (Appendices B to D).
+Source: the thesis, pages 13 and 14 (Chapter 2), 37 to 39 (4), 44 and 45 (5), 105 to 113 (Appendices B to D).
 """
 
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ from pdp8.thesis.reading import fortran_line, pal_line
 from tapes.errors import WorkError
 
 ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
-TABLES = ("ch2-block", "2.3")
+TABLES = ("ch2-block", "2.3", "ch4-memory-reference", "ch4-microinstructions", "ch4-input-output")
 CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
 
 _AS_READ = "="

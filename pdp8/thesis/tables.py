@@ -72,31 +72,9 @@ def drilling() -> Table:
     return Table(("seq", "P", "X", "Y", "res", "tool", "misc"), rows)
 
 
-_INSTRUCTIONS: Final = {
-    "memory reference": (
-        ("logical AND", "AND"), ("two's complement add", "TAD"), ("increment and skip if zero", "ISZ"),
-        ("deposit and clear accumulator", "DCA"), ("jump to subroutine", "JMS"), ("jump", "JMP"),
-    ),
-    "microinstructions": (
-        ("clear the accumulator", "CLA"), ("complement the accumulator", "CMA"),
-        ("rotate accumulator and link right once", "RAR"), ("increment the accumulator", "IAC"),
-        ("skip on zero accumulator", "SZA"), ("halt the program", "HLT"),
-    ),
-    "input-output": (
-        ("skip if keyboard/reader flag = 1", "KSF"), ("clear AC, read keyboard buffer, clear flag", "KRB"),
-        ("skip if printer/punch flag = 1", "TSF"),
-        ("load printer/punch buffer, print, clear flag", "TLS"),
-    ),
-}  # fmt: skip
-
-
-def instructions(kind: str) -> Table:
-    """Chapter 4: instructions, each value from the assembler; of a memory reference its first octal digit."""
-    rows = []
-    for what, mnemonic in _INSTRUCTIONS[kind]:
-        refers = kind == "memory reference"
-        value = f"{word(mnemonic + ' 0') >> 9:o}" if refers else f"{word(mnemonic):04o}"
-        rows.append((what, mnemonic, value))
+def instructions(artefact: str) -> Table:
+    """Chapter 4: instructions, in the thesis's words."""
+    rows = (tuple(line.rsplit(" ", 2)) for line in _in_its_words(artefact))
     return Table(("instruction", "mnemonic", "octal value"), tuple(rows))
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import pal
+from pdp8.thesis.evidence import TABLES
 from pdp8.thesis.facsimile import facsimile
 from pdp8.thesis.supplied import html, marked
 from programs import circle, ellipse
@@ -71,7 +72,7 @@ def test_what_the_scan_does_not_show_is_in_brackets() -> None:
     assert all(re.sub(r"\[.*?\]", "", text) != text for text in (b, c, d))
 
 
-@pytest.mark.parametrize("artefact", ["eia.pal", "circle.for", "ellipse.for", "ch2-block", "2.3"])
+@pytest.mark.parametrize("artefact", ["eia.pal", "circle.for", "ellipse.for", *TABLES])
 def test_what_stands_outside_of_brackets_is_the_scan_s(artefact: str) -> None:
     """In its order, zeros and points read by the first two rules; evidence's tests have the legible lines."""
     above = ""
