@@ -11,7 +11,9 @@ Not emulated: the GE time-sharing service's own delays, the telephone line, a mi
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 from time import monotonic
 from typing import Final, NamedTuple
 
@@ -99,33 +101,23 @@ class Judgement(NamedTuple):
     outcome: str
 
 
-class Course(NamedTuple):
+@dataclass(frozen=True)
+class Course:
     """A day that is over: what the operator did and when, and what came of it.
 
-    `tapes` and `programs` by name; `mill_starts` is the tick at which the Hydra-Point began to read.
+    `tapes` by name; `mill_starts` is the tick at which the Hydra-Point began to read.
     """
 
     part: str
     acts: Sequence[Act]
     actions: Sequence[Action]
     tapes: Mapping[str, bytes]
-    programs: Mapping[str, Assembly]
-    path: Path
     mill_starts: int
 
-
-def recalled(
-    part: str,
-    acts: Sequence[Act],
-    actions: Sequence[Action],
-    tapes: Mapping[str, bytes],
-    sources: Mapping[str, bytes],
-    mill_starts: int,
-) -> Course:
-    """Return the course of a day of which the acts and actions are known, and the tapes of the part."""
-    programs = {name: assemble(sources[name], names=[name]) for name in PROGRAMS}
-    read = {"bin.rim": _bin_tape(programs["bin.pal"]), "eia.bin": _eia_tape(programs["eia.pal"])}
-    return Course(part, acts, actions, {**tapes, **read}, programs, cut(tapes[f"{part}.eia"]), mill_starts)
+    @cached_property
+    def path(self) -> Path:
+        """What the Hydra-Point cut."""
+        return cut(self.tapes[f"{self.part}.eia"])
 
 
 def _bin_tape(assembly: Assembly) -> bytes:
@@ -186,9 +178,7 @@ class Day:
     @property
     def course(self) -> Course:
         """What the day leaves, so that any instant of it can be had again (see script)."""
-        return Course(
-            self.part, self.acts, self.actions, self.tapes, self.programs, self.path, self.mill_starts
-        )
+        return Course(self.part, self.acts, self.actions, self.tapes, self.mill_starts)
 
     @property
     def now(self) -> int:

@@ -6,13 +6,14 @@
 
 A day leaves what the operator did and when. An instant is the last snapshot of the machine before it, the
 actions since done again, and the machine run on, as far as the last cycle that ended. The first snapshot is
-the machine as it is switched on; others may be given; the script keeps one for each ten seconds that it
-passes. To work at the machine, take a copy of it.
+the machine as it is switched on; others may be given by `keep`; the script keeps one for each ten seconds
+that it passes. To work at the machine, take a copy of it.
 """
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from enum import StrEnum
+from functools import cached_property
 from typing import Final
 
 from pal.isa import FETCH, IOT
@@ -41,12 +42,9 @@ class Unit(StrEnum):
 
 
 class Script:
-    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began.
+    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began."""
 
-    `snapshots` are the values of its machine at some ticks.
-    """
-
-    def __init__(self, day: Course, snapshots: Sequence[tuple[int, Values]] = ()) -> None:
+    def __init__(self, day: Course) -> None:
         self.day = day
         self.machine = Machine()
         self.now = 0
@@ -54,33 +52,38 @@ class Script:
         """Actions done."""
         self._ticks: list[int] = []
         self._snapshots: list[Values] = []
-        self._rows: list[int] = []
-        """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
-        self._blocks: list[int] = []
-        """Those at which a line ends at the terminal, or a block begins at the Hydra-Point."""
-        self._keep(0, self.machine.values())
-        for tick, values in snapshots:
-            self._keep(tick, values)
-        self._reading()
+        self.keep(0, self.machine.values())
 
-    def _keep(self, tick: int, values: Values) -> None:
+    def keep(self, tick: int, values: Values) -> None:
         """Keep the values that the machine has at a tick, all that is done then being done."""
         at = bisect_left(self._ticks, tick)
         self._ticks.insert(at, tick)
         self._snapshots.insert(at, values)
 
-    def _reading(self) -> None:
-        """Note when the terminal punches, and when the Hydra-Point reads."""
-        for number, frame in enumerate(self.day.tapes[f"{self.day.part}.asc"], 1):
-            self._rows.append(number * FRAME)
-            if frame & 0o177 == CR:
-                self._blocks.append(number * FRAME)
+    @cached_property
+    def _rows(self) -> list[int]:
+        """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
         path = self.day.path
         reading = path.read_seconds * TICKS_PER_SECOND
-        for start in path.starts:
-            begins = self.day.mill_starts + start * TICKS_PER_SECOND
-            self._blocks.append(round(begins))
-            self._rows += [round(begins + reading * row / ROWS) for row in range(ROWS)]
+        punched = [number * FRAME for number in range(1, len(self._printout) + 1)]
+        return punched + [
+            round(begins + reading * row / ROWS) for begins in self._begins for row in range(ROWS)
+        ]
+
+    @cached_property
+    def _blocks(self) -> list[int]:
+        """Those at which a line ends at the terminal, or a block begins at the Hydra-Point."""
+        ends = [number * FRAME for number, frame in enumerate(self._printout, 1) if frame & 0o177 == CR]
+        return ends + [round(begins) for begins in self._begins]
+
+    @property
+    def _printout(self) -> bytes:
+        return self.day.tapes[f"{self.day.part}.asc"]
+
+    @property
+    def _begins(self) -> list[float]:
+        """When the Hydra-Point begins each block, in ticks."""
+        return [self.day.mill_starts + start * TICKS_PER_SECOND for start in self.day.path.starts]
 
     @property
     def end(self) -> int:
@@ -211,7 +214,7 @@ class Script:
     def _keep_now(self) -> None:
         nearest = self._ticks[bisect_left(self._ticks, self.now + 1) - 1]
         if self.machine.processor.run and self.now - nearest >= _APART:
-            self._keep(self.now, self.machine.values())
+            self.keep(self.now, self.machine.values())
 
     def _go_on(self, tick: int) -> None:
         while self.done < len(self.day.actions) and self.day.actions[self.done].at <= tick:

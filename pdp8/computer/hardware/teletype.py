@@ -360,15 +360,17 @@ class Receiver(Device):
 
 
 _ACTED_ON = bytes((0o007, 0o012, 0o015, *range(0o040, 0o175)))
-_PASSED_OVER = bytes(frame for frame in range(0o400) if frame & 0o177 not in _ACTED_ON)
-_TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) * 2
+PASSED_OVER = bytes(frame for frame in range(0o400) if frame & 0o177 not in _ACTED_ON)
+"""The frames that do nothing in a printer."""
+TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) * 2
+"""The code that each of the others types."""
 
 
 def printed(frames: bytes) -> bytes:
     """Return what a Model 33 acts on of the frames: 64 characters, BELL, line feed and return; no other code
     does anything. Channel 8 is not looked at, and lower case is printed as upper case.
     """
-    return frames.translate(_TYPES, _PASSED_OVER)
+    return frames.translate(TYPES, PASSED_OVER)
 
 
 class Printer:

@@ -20,7 +20,7 @@ the later; a space hides nothing.
 Source: Teletype Model 33 keyboard; Small Computer Handbook 1970, appendix (ASR-33 codes).
 """
 
-from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.hardware.teletype import PASSED_OVER, TYPES
 
 COLUMNS = 72
 
@@ -46,7 +46,7 @@ class Paper:
 
     def take(self, frame: int) -> str:
         """Print one frame as a Model 33 does; return the character it acts on, "" for none."""
-        character = printed(bytes([frame])).decode("ascii")
+        character = "" if frame in PASSED_OVER else chr(TYPES[frame])
         if character == "\r":
             self.column = 0
         elif character == "\n":
