@@ -1,11 +1,11 @@
 // The plate and what is milled into it: a groove as wide as the cutter, its walls the very staircase of the tape.
 //
-//     knots ──► strokes as wide as the cutter ──► wall, floor, shadow, burr          only added to while it is cut
+//     knots ──► strokes as wide as the cutter ──► rim, inside: wall, floor, shadow ──► groove       only added to while it is cut
 //
 // Places are thousandths of an inch, Y up. What a round cutter leaves is what a round pen strokes: nc/inspection.py measures
-// the same shape. How deep it looks is ours.
+// the same shape. How deep it looks is ours. What lies over another in the groove is lighter, so a stroke can be added at any
+// time: the lightest is what is seen.
 
-const CHUNK = 24; // moves in a path that is stroked as one
 const DEPTH = 190; // how far the floor is seen below the face, from before and above
 const SHADOW = [70, -60];
 const BURR = 7; // how wide the bright edge is
@@ -17,57 +17,71 @@ export class Plate {
    *  above, or, with a `depth` of 0, from above.
    */
   constructor(knots, diameter, bounds, pixels, depth = DEPTH) {
-    this.depth = depth;
     this.knots = knots;
     this.diameter = diameter;
     this.bounds = bounds;
-    const { left, right, bottom, top } = bounds;
-    const sharp = pixels / (right - left);
-    this.groove = new OffscreenCanvas(Math.ceil((right - left) * sharp), Math.ceil((top - bottom) * sharp));
-    this.context = this.groove.getContext("2d");
-    this.context.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
+    this.depth = depth;
+    this.sharp = pixels / (bounds.right - bounds.left);
+    this.rim = this.#canvas();
+    this.inside = this.#canvas();
+    this.groove = this.#canvas();
+    this.inside.globalCompositeOperation = "lighten";
     this.#begin();
   }
 
+  #canvas() {
+    const { bounds: { left, right, bottom, top }, sharp } = this;
+    const c = new OffscreenCanvas(Math.ceil((right - left) * sharp), Math.ceil((top - bottom) * sharp)).getContext("2d");
+    c.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
+    return c;
+  }
+
   #begin() {
-    const { left, right, bottom, top } = this.bounds;
-    this.context.clearRect(left, bottom, right - left, top - bottom);
-    this.chunks = [];
-    this.at = { knot: 0, x: 0, y: 0 };
+    const { bounds: { left, right, bottom, top }, knots: [{ x, y }] } = this;
+    for (const c of [this.rim, this.inside, this.groove]) c.clearRect(left, bottom, right - left, top - bottom);
+    this.at = { knot: 0, x, y };
   }
 
   /** Mill as far as a place of the path (Path.at). */
   to(place) {
+    if (place.knot < this.at.knot) this.#begin();
     const { at, knots } = this;
-    if (place.knot < at.knot || (place.knot === at.knot && Math.hypot(place.x - at.x, place.y - at.y) < FINE)) {
-      if (place.knot >= at.knot) return;
-      this.#begin();
-    }
-    const changed = new Box();
-    for (let knot = Math.max(1, this.at.knot); knot <= place.knot; knot++) if (knots[knot].down) this.#move(knots[knot - 1], knots[knot], changed);
-    if (place.down) this.#move(knots[place.knot], place, changed);
+    if (place.knot === at.knot && Math.hypot(place.x - at.x, place.y - at.y) < FINE) return;
+    const path = new Path2D(), xs = [], ys = [];
+    let from = at;
+    const move = (to, down) => {
+      if (down) {
+        path.moveTo(from.x, from.y);
+        path.lineTo(to.x + 0.01, to.y);
+        xs.push(from.x, to.x);
+        ys.push(from.y, to.y);
+      }
+      from = to;
+    };
+    for (let knot = at.knot + 1; knot <= place.knot; knot++) move(knots[knot], knots[knot].down);
+    move(place, place.down);
     this.at = { ...place };
-    if (changed.left <= changed.right) this.#carve(changed.grown(this.diameter / 2 + DEPTH + BURR));
+    if (xs.length) this.#carve(path, xs, ys);
   }
 
-  #move(from, to, changed) {
-    let chunk = this.chunks.at(-1);
-    if (!chunk || chunk.moves === CHUNK) this.chunks.push((chunk = { path: new Path2D(), box: new Box(), moves: 0 }));
-    chunk.path.moveTo(from.x, from.y);
-    chunk.path.lineTo(to.x + 0.01, to.y);
-    chunk.moves++;
-    for (const { x, y } of [from, to]) for (const each of [chunk.box, changed]) each.take(x, y);
-  }
-
-  /** Draw what is milled anew, in a box. */
-  #carve(box) {
-    const { context: c, diameter } = this;
+  /** Add a path, with its ends, to what is milled. */
+  #carve(path, xs, ys) {
+    const { bounds: { left, top }, depth, diameter, sharp } = this;
+    const { canvas: rim } = this.rim, { canvas: inside } = this.inside;
+    edge(this.rim, path, diameter, depth);
+    hollow(this.inside, path, diameter, depth);
+    const wide = diameter / 2 + DEPTH + BURR;
+    const [x, right] = [Math.min(...xs) - wide, Math.max(...xs) + wide].map((at) => Math.round((at - left) * sharp));
+    const [y, bottom] = [Math.max(...ys) + wide, Math.min(...ys) - wide].map((at) => Math.round((top - at) * sharp));
+    /** @type {[number, number, number, number]} */
+    const box = [x, y, right - x, bottom - y];
+    const c = this.groove;
     c.save();
-    c.beginPath();
-    c.rect(box.left, box.bottom, box.right - box.left, box.top - box.bottom);
-    c.clip();
-    c.clearRect(box.left, box.bottom, box.right - box.left, box.top - box.bottom);
-    carve(c, this.chunks.filter((each) => each.box.meets(box)).map(({ path }) => path), diameter, this.depth);
+    c.resetTransform();
+    c.clearRect(...box);
+    c.drawImage(rim, ...box, ...box);
+    c.globalCompositeOperation = "source-atop";
+    c.drawImage(inside, ...box, ...box);
     c.restore();
   }
 
@@ -78,26 +92,36 @@ export class Plate {
     face(c, this.bounds, light);
     c.save();
     c.scale(1, -1);
-    c.drawImage(this.groove, left, -top, w, h);
+    c.drawImage(this.groove.canvas, left, -top, w, h);
     c.restore();
   }
 }
 
-/** Draw a groove along `paths`, so deep: its wall as it is seen from before, its floor, the shadow on it. */
-export function carve(c, paths, diameter, depth, shadow = SHADOW) {
-  const stroke = (colour, x, y, wide = diameter) => {
-    c.save();
-    c.translate(x, y);
-    Object.assign(c, { strokeStyle: colour, lineWidth: wide, lineCap: "round", lineJoin: "round" });
-    for (const path of paths) c.stroke(path);
-    c.restore();
-  };
-  stroke("#eef1ee", 0, 0, diameter + 2 * BURR * Math.min(1, depth / DEPTH + 0.25));
+/** Draw a groove along a path, so deep. */
+export function carve(c, path, diameter, depth, shadow) {
+  edge(c, path, diameter, depth);
   c.globalCompositeOperation = "source-atop";
-  WALL.forEach((colour, layer) => stroke(colour, 0, (-depth * layer) / WALL.length));
-  stroke("#606a6d", 0, -depth);
-  stroke("#8f989b", shadow[0], shadow[1] - depth, diameter * 0.995);
-  c.globalCompositeOperation = "source-over";
+  hollow(c, path, diameter, depth, shadow);
+}
+
+/** All that is milled, and its bright edge. */
+function edge(c, path, diameter, depth) {
+  stroke(c, path, "#eef1ee", diameter + 2 * BURR * Math.min(1, depth / DEPTH + 0.25));
+}
+
+/** The wall as it is seen from before, the floor, the light on it; they go beyond the edge. */
+function hollow(c, path, diameter, depth, [x, y] = SHADOW) {
+  WALL.forEach((colour, layer) => stroke(c, path, colour, diameter, 0, (-depth * layer) / WALL.length));
+  stroke(c, path, "#606a6d", diameter, 0, -depth);
+  stroke(c, path, "#8f989b", diameter * 0.995, x, y - depth);
+}
+
+function stroke(c, path, colour, wide, x = 0, y = 0) {
+  c.save();
+  c.translate(x, y);
+  Object.assign(c, { strokeStyle: colour, lineWidth: wide, lineCap: "round", lineJoin: "round" });
+  c.stroke(path);
+  c.restore();
 }
 
 /** The plate's face: ground steel, with the light's reflection at a place. */
@@ -115,27 +139,4 @@ export function face(c, { left, right, bottom, top }, light) {
   shine.addColorStop(1, "rgba(255,248,230,0)");
   c.fillStyle = shine;
   c.fillRect(left, bottom, w, h);
-}
-
-/** A box that grows. */
-class Box {
-  constructor(left = Infinity, bottom = Infinity, right = -Infinity, top = -Infinity) {
-    Object.assign(this, { left, bottom, right, top });
-  }
-
-  take(x, y) {
-    this.left = Math.min(this.left, x);
-    this.right = Math.max(this.right, x);
-    this.bottom = Math.min(this.bottom, y);
-    this.top = Math.max(this.top, y);
-  }
-
-  grown(by) {
-    return new Box(this.left - by, this.bottom - by, this.right + by, this.top + by);
-  }
-
-  meets(other) {
-    const reach = 2 * (DEPTH + BURR);
-    return this.left < other.right + reach && this.right > other.left - reach && this.bottom < other.top + reach && this.top > other.bottom - reach;
-  }
 }

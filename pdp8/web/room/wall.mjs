@@ -85,7 +85,7 @@ export class Wall {
       draw(c);
       return made;
     };
-    const groove = canvas((c) => carve(c, [path], diameter, 0, SHADOW));
+    const groove = canvas((c) => carve(c, path, diameter, 0, SHADOW));
     return canvas((c) => {
       face(c, bounds, { x: left, y: bounds.top });
       c.resetTransform();
