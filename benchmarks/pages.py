@@ -95,7 +95,7 @@ def in_firefox(call: str) -> Any:
     """Return what `call` returns in the workbench in Firefox."""
     with tempfile.TemporaryDirectory() as profile, written() as address, firefox.opened(Path(profile)) as tab:
         tab.call("WebDriver:Navigate", url=address)
-        tab.until("!!window.workbench")
+        tab.until("!!window.workbench?.ready")
         return tab.run(f"const Machine = window.workbench.machine.constructor; return {call};")
 
 
@@ -143,7 +143,7 @@ def opening(browser: Any, address: str, options: dict[str, Any], slower: int) ->
     tab = context.new_page()
     tab.context.new_cdp_session(tab).send("Emulation.setCPUThrottlingRate", {"rate": slower})
     tab.goto(address)
-    until(tab, "!!window.moved && !!window.workbench")
+    until(tab, "!!window.moved && !!window.workbench?.ready")
     tab.wait_for_timeout(2000)
     painted, moved = tab.evaluate(_PAINTED), tab.evaluate("window.moved")
     found = {
@@ -162,7 +162,7 @@ def opening(browser: Any, address: str, options: dict[str, Any], slower: int) ->
         found[name] = f"{middle:.1f} / {most:.1f} ms, {len(taken) / 1.5:.0f} a second"
     tab.goto("about:blank")
     tab.goto(address + DESK)
-    until(tab, "!!window.workbench")
+    until(tab, "!!window.workbench?.ready")
     tab.wait_for_timeout(2000)
     found["shift, desk"] = f"{tab.evaluate('shift'):.3f}"
     context.close()

@@ -69,7 +69,7 @@ def share(browser: "Browser", file: Path, script: str, given: object, seconds: f
     session = browser.new_browser_cdp_session()
     tab = browser.new_page(viewport={"width": 1366, "height": 768})
     tab.goto(file.as_uri())
-    until(tab, "!!window.workbench")
+    until(tab, "!!window.workbench?.ready")
     tab.evaluate(script, given)
     tab.wait_for_timeout(1000)
     used, began = rendering(session), time.monotonic()

@@ -39,7 +39,7 @@ def add(tab: "Page") -> None:
 def opening(tab: "Page") -> None:
     """Let the page open at an instant of the afternoon."""
     tab.reload()
-    until(tab, "!!window.workbench?.afternoon.on")
+    until(tab, "window.workbench?.ready && workbench.afternoon.on")
 
 
 def afternoon(tab: "Page") -> None:

@@ -1,11 +1,11 @@
 """Pages for a browser: HTML files with everything inside.
 
 translator    our Python as JavaScript: the machine, PAL III, the tapes, the milling machine, the afternoon
-bundle        modules, style and data in one file, and what that file may do; start.js starts it
+bundle        modules, style and data in one file, and what that file may do; start.js unpacks and starts it
 
 workbench     the one page: the live machine, and the afternoon that plays on it
-              workbench.mjs, its panes in bench/: a class NAME.mjs and a section NAME.html each;
-              the HTML names the method that each control calls (bench/wiring.mjs)
+              workbench.mjs, its panes in bench/: a class NAME.mjs and a section NAME.html each, laid by
+              desk.mjs while the room plays; the HTML names the method that each control calls (bench/wiring.mjs)
 record        what it has at hand, as JSON; kept: in the user's cache, while the sources are the same
 parts         the part programs' options, as the page asks for them, and their fields
 findings      what an assembly says of each line, as the editor shows it
@@ -19,6 +19,6 @@ room/         what a visitor sees first: room.mjs leads through the afternoon by
 panel.mjs     lamps and switches          written.mjs    how things are written
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 sheet.mjs     drawing what has changed    pictures.mjs   when the next picture is due
-packed.mjs    what a page and a link hold svg.mjs        places as drawings
+packed.mjs    what a link holds            svg.mjs        places as drawings
 html.mjs      HTML in which what is put is text: the one way to write any
 """

@@ -1,11 +1,12 @@
-"""A page in one file: its script of many modules, its style, and what it may do.
+"""A page in one file: its scripts of many modules, its style, and what it may do.
 
     entry.mjs ──imports──► modules by hand ──┐
-                              │ import       ├──► one script, each module in a scope of its own
-              pal/assembler.py as .mjs ──────┘    style, data as compressed JSON, Content-Security-Policy
+        │                     │ import       ├──► one script, each module in a scope of its own
+        │     pal/assembler.py as .mjs ──────┘    style, data as compressed JSON, Content-Security-Policy
+        └──import()──────► more modules ─────────► a second script, unpacked when it is wanted
 
 A module X.mjs is the one by hand, or the translation of X.py (see translator/). A page from disk cannot
-import modules, so they stand in one script, each after those it imports from, without their comments.
+import modules, so they stand in scripts, each after those it imports from, without their comments.
 """
 
 import base64
@@ -23,10 +24,12 @@ from pdp8.web import translator
 
 _HERE = "pdp8/web/"
 _IMPORT = re.compile(r'^import (\{[^}]*\}|\* as [\w$]+) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
+_LATER = re.compile(r'\bimport\("(\.[\w./-]+)\.mjs"\)')
 _EXPORT = re.compile(
     r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
 )
 _INCLUDED = re.compile(r"<!-- ([\w/]+\.html) -->")
+_INLINE = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 _COMMENT = re.compile(r"^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n", re.MULTILINE)
 
 
@@ -49,9 +52,22 @@ def modules(entry: str) -> dict[str, str]:
     return found
 
 
-def script(entry: str) -> str:
-    """Return the module `entry` and all it imports as one script; what `entry` does stands at its end."""
-    return "\n".join(_scope(name, text, name == _HERE + entry) for name, text in modules(entry).items())
+def scripts(entry: str) -> tuple[str, str]:
+    """Return two scripts: the module `entry` and all it imports, which stands at the end and is done at once;
+    and those that it imports later.
+    """
+    first = modules(entry)
+    text = first.pop(_HERE + entry)
+    every = dict(first)
+    for path in _LATER.findall(text):
+        _collect(_path(_HERE + entry, path), every)
+    later = {name: every[name] for name in every if name not in first}
+    named = _LATER.sub(lambda match: f"pack.later(() => {_identifier(_path(_HERE + entry, match[1]))})", text)
+    return _script(first, f"(() => {{\n{_body(_HERE + entry, named)}\n}})();"), _script(later)
+
+
+def _script(texts: dict[str, str], end: str = "") -> str:
+    return "\n".join(['"use strict";', *(_scope(name, text) for name, text in texts.items()), end])
 
 
 def _collect(name: str, found: dict[str, str]) -> None:
@@ -66,7 +82,12 @@ def _collect(name: str, found: dict[str, str]) -> None:
 def _imported(name: str, text: str) -> Iterator[str]:
     """Yield the modules that `text` imports from."""
     for _, path in _IMPORT.findall(text):
-        yield posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
+        yield _path(name, path)
+
+
+def _path(name: str, path: str) -> str:
+    """Return the module that the module `name` calls `path`."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
 
 
 def exports(text: str) -> list[str]:
@@ -74,43 +95,55 @@ def exports(text: str) -> list[str]:
     return [name for names in _EXPORT.findall(text) for name in re.findall(r"[\w$]+", names)]
 
 
-def _scope(name: str, text: str, bare: bool) -> str:
-    """Return `text` as a constant that holds what it exports; its imports come from those before."""
+def _scope(name: str, text: str) -> str:
+    """Return `text` as a constant that holds what it exports."""
     exported = ", ".join(exports(text))
+    return f"const {_identifier(name)} = (() => {{\n{_body(name, text)}\nreturn {{ {exported} }};\n}})();"
+
+
+def _body(name: str, text: str) -> str:
+    """Return `text` with its imports as constants that come from the modules before."""
 
     def constant(match: re.Match[str]) -> str:
         names = match[1].removeprefix("* as ").replace(" as ", ": ")
-        path = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[2]))
-        return f"const {names} = {_identifier(path)};"
+        return f"const {names} = {_identifier(_path(name, match[2]))};"
 
-    body = _EXPORT.sub("", _IMPORT.sub(constant, _COMMENT.sub("", text)))
-    return (
-        body if bare else f"const {_identifier(name)} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
-    )
+    return _EXPORT.sub("", _IMPORT.sub(constant, _COMMENT.sub("", text)))
 
 
 def _identifier(name: str) -> str:
     return re.sub(r"\W", "_", name.removeprefix(_HERE)) + "_module"
 
 
-def page(title: str, body: str, styles: Iterable[str], entry: str, data: Any) -> str:
-    """Return the page with the HTML file `body`, its styles, script and data inside, and the policy for them.
+def page(
+    title: str, body: str, styles: Iterable[str], entry: str, data: Any, more: Any = None, kind: str = ""
+) -> str:
+    """Return the page with the HTML file `body`, its styles, scripts and data inside, and the policy for them;
+    `more` is data for the second script, `kind` the class of its body.
 
-    Script and data are compressed. The policy lets the page run its own script and style, and ask for
+    Scripts and data are compressed. The policy lets the page run its own scripts and style, and ask for
     nothing.
     """
-    code, start = script(entry), source("start.js")
-    written = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
+    code, later = scripts(entry)
+    start = source("start.js")
+    whole = _INCLUDED.sub(lambda part: source(part[1]).rstrip(), source(body))
     parts = {
         "title": title,
-        "policy": _policy(code, start),
-        "body": _INCLUDED.sub(lambda part: source(part[1]).rstrip(), source(body)),
+        "kind": kind,
+        "policy": _policy(code, later, start, *_INLINE.findall(whole)),
+        "body": whole,
         "style": "".join(map(source, ("base.css", *styles))),
-        "record": _packed(written),
         "code": _packed(code),
+        "record": _packed(_json(data)),
+        "later": _packed(later),
+        "more": _packed(_json(more)),
         "start": start,
     }
     return re.sub(r"<!-- (\w+) -->", lambda part: parts[part[1]], source("shell.html"))
+
+
+def _json(data: Any) -> str:
+    return json.dumps(data, separators=(",", ":"), ensure_ascii=False)
 
 
 def _packed(text: str) -> str:

@@ -9,10 +9,9 @@ import { costs, curved } from "./curve/quarter.mjs";
 import { roundness } from "./curve/roundness.mjs";
 import { one, piecewise, stepwise } from "./curve/slopes.mjs";
 import { whole } from "./curve/whole.mjs";
-import { unpacked } from "./packed.mjs";
 
 async function start() {
-  const record = await unpacked(document.getElementById("record").textContent);
+  const record = await pack.record;
   const figures = { near: near(), one: one(), piecewise: piecewise(record), stepwise: stepwise(), curved: curved(), costs: costs() };
   figures.whole = whole(document.getElementById("cut"));
   figures.holes = holes();

@@ -1,4 +1,4 @@
-// JSON, compressed (deflate) and in base64: a page's record, and what a link holds.
+// JSON, compressed (deflate) and in base64: what a link holds.
 
 /** What `text` holds. Throws where it is damaged. */
 export async function unpacked(text) {

@@ -9,20 +9,18 @@ what the operator did, and the machine in the midst and at the end of the transl
 be done before the first picture; and what only Python can measure, with numpy: the walls.
 """
 
-import json
+import re
 from collections.abc import Mapping
 from html import escape
 from typing import Any
 
 import numpy as np
 
-import pal
 from nc.curves import Curve
 from nc.inspection import Inspection
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8 import shelf
-from pdp8.computer.past.state import HEAD, save
 from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
 from pdp8.replay import Afternoon, replay
@@ -32,11 +30,11 @@ from pdp8.replay.script import Script
 from pdp8.replay.story import story
 from pdp8.web import parts
 from programs.parts import PARTS
-from tapes import rim
 from tapes.quantities import inches
 
-_OPENS_WITH = "hello.pal"
 _USUAL = "circle"
+_READ = ("bin.rim", "eia.bin")
+"""The tapes of the afternoon's programs."""
 _POINTS = 360
 """Of the nominal curve."""
 _CLOSE = 250.0
@@ -48,15 +46,14 @@ def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
     tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
     done = afternoon or replay(_USUAL)
     tapes |= {f"{done.part}.{code}": done.tapes[f"{done.part}.{code}"] for code in ("asc", "eia")}
-    loader = pal.assemble(shelf.read_bundled("bin.pal"))
     return {
         "tapes": {name: frames.decode("latin-1") for name, frames in tapes.items()},
-        "loader": rim.encode(loader.words).decode("latin-1"),
-        "source": shelf.read_bundled(_OPENS_WITH).decode("ascii"),
         "cutter": PARTS[done.part].cutter * 1000,
         "view": "",
         "opens": 1 if afternoon else 0,
         "afternoon": _afternoon(done, tapes),
+        "figures": _table(done),
+        "graph": _graph(done.inspection),
         "parts": parts.declared(),
         "exercises": _exercises(),
     }
@@ -81,14 +78,12 @@ def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
         "actions": done.actions,
         "millStarts": done.mill_starts,
         "machines": _machines(done, tapes),
-        "figures": _table(done),
-        "graph": "",
+        "read": {name: done.tapes[name].decode("latin-1") for name in _READ},
         "band": None,
         "wall": None,
     }
     if inspection is not None:
         curve = inspection.curve
-        found["graph"] = (talyrond if curve.closed else talysurf)(inspection)
         tolerance = PARTS[done.part].tolerance * 1000
         sides = {"inner": -tolerance, "nominal": 0, "outer": tolerance}
         found["band"] = {name: _limit(curve, off) for name, off in sides.items()}
@@ -96,32 +91,32 @@ def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
     return found
 
 
+def _graph(inspection: Inspection | None) -> str:
+    """Return the graph of the walls, in SVG, to a tenth of a pixel."""
+    graph = (talyrond if inspection.curve.closed else talysurf)(inspection) if inspection else ""
+    return re.sub(' d="[^"]*"', lambda path: re.sub(r"(\.\d)\d", r"\1", path[0]), graph)
+
+
 def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:
-    """Return the machine's state in the midst and at the end of the translation, each with its tick."""
+    """Return the machine's values in the midst and at the end of the translation, each with its tick; a piece
+    of one of `tapes` as its name, from, to.
+    """
     act = next(act for act in done.acts if act.kind == Kind.TRANSLATE)
     script = Script(done.course)
-    written = {name: " ".join(f"{frame:03o}" for frame in tape) for name, tape in tapes.items()}
     found = []
     for tick in ((act.starts + act.ends) // 2, act.ends):
         script.to(tick)
-        found.append((tick, HEAD | _shortened(json.loads(save(script.machine)), written)))
+        values = script.machine.values().items()
+        found.append((tick, {name: _written(value, tapes) for name, value in values}))
     return found
 
 
-def _shortened(state: dict[str, Any], tapes: Mapping[str, str]) -> dict[str, Any]:
-    """Return a state in which a piece of one of `tapes` stands as its name, from, to (see sharing.mjs)."""
-    found: dict[str, Any] = {}
-    for name, value in state.items():
-        if isinstance(value, dict):
-            found[name] = _shortened(value, tapes)
-        elif isinstance(value, list) and len(value) > 1:
-            text = " ".join(value)
-            called = next((called for called, tape in tapes.items() if text in tape), None)
-            at = tapes[called].index(text) if called else 0
-            found[name] = {"$tape": [called, at, at + len(text)]} if called else value
-        else:
-            found[name] = value
-    return found
+def _written(value: Any, tapes: Mapping[str, bytes]) -> Any:
+    if not isinstance(value, bytes):
+        return value
+    called = next((called for called, tape in tapes.items() if value and value in tape), None)
+    at = tapes[called].index(value) if called else 0
+    return [called, at, at + len(value)] if called else value.decode("latin-1")
 
 
 def _wall(inspection: Inspection) -> dict[str, Any]:

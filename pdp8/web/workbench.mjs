@@ -3,31 +3,17 @@
 //     Bench ──► panes, each a class of bench/NAME.mjs and a section of HTML: what is seen and what is pressed
 //           ──► clock, history, goal, shelf, programs: what they share
 //
-// A pane is made with the bench; the HTML names the methods that its controls call (bench/wiring.mjs). What it does to
-// `bench.machine` it tells by `bench.touched()`; `bench.say(words)` says what happened. Its show(samples) shows every
-// picture, with samples of the lamps while time goes on; its write() writes what is read, not so often while the machine runs.
+// The panes are a script of their own (bench/desk.mjs): the room plays before they are there. The HTML names the methods that
+// its controls call (bench/wiring.mjs). What a pane does to `bench.machine` it tells by `bench.touched()`; `bench.say(words)`
+// says what happened. Its show(samples) shows every picture, with samples of the lamps while time goes on; its write() writes
+// what is read, not so often while the machine runs.
 // In HTML its section has data-pane, the name that ?embed= knows, and data-tab, if it is a tab of the desk.
 
 import { Afternoon } from "./bench/afternoon.mjs";
-import { embed, rest, RESTS } from "./bench/alone.mjs";
-import { Apart, serve } from "./bench/apart.mjs";
-import { booted } from "./bench/boot.mjs";
+import { rest, RESTS } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
-import { Core } from "./bench/core.mjs";
-import { Editor } from "./bench/editor.mjs";
-import { Exercises } from "./bench/exercises.mjs";
-import { located, marks } from "./bench/marker.mjs";
-import { Mill } from "./bench/mill.mjs";
-import { Parts, printout, translated } from "./bench/parts.mjs";
-import { Registers } from "./bench/registers.mjs";
-import { Session } from "./bench/session.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
-import { Store } from "./bench/store.mjs";
-import { Switches } from "./bench/switches.mjs";
-import { Tabs } from "./bench/tabs.mjs";
-import { Teletype } from "./bench/teletype.mjs";
-import { Time } from "./bench/time.mjs";
 import { wire } from "./bench/wiring.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { History } from "../computer/past/history.mjs";
@@ -35,10 +21,6 @@ import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import * as kinds from "../../tapes/kinds.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
-import { checked } from "./findings.mjs";
-import { loosened } from "./loosened.mjs";
-import { ours, put } from "./html.mjs";
-import { unpacked } from "./packed.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
@@ -60,36 +42,22 @@ class Bench {
     this.texts = null; // the bundled tapes as a state has them, once they are asked for
     this.until = new Goal();
     this.remember();
-    this.apart = new Apart();
-    this.programs = new Store("program", (name) => this.editor.elsewhere(name));
     this.sound = new Sound();
+    /** @type {any[]} */
     this.panes = [];
-    this.tabs = new Tabs(this);
     this.afternoon = new Afternoon(this);
-    this.switches = new Switches(this);
-    this.teletype = new Teletype(this);
-    this.registers = new Registers(this);
-    this.core = new Core(this);
-    this.mill = new Mill(this);
-    this.editor = new Editor(this);
-    this.exercises = new Exercises(this);
-    this.parts = new Parts(this);
-    put(find("figures").querySelector("table"), ours(record.afternoon.figures));
-    put(find("graph"), ours(record.afternoon.graph));
-    this.time = new Time(this);
     this.room = new Room(this);
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
-    /** @type {any[]} */
-    this.panes = [this.afternoon, this.switches, this.teletype, this.registers, this.core, this.mill, this.editor, this.parts, this.time, this.room];
-    const { exercises, shelf, switches: { card }, tabs, teletype, time } = this;
-    this.session = new Session(this, { shelf, machine: this, teletype, card, exercises, tabs, time });
+    this.apart = this.core = this.editor = this.exercises = this.mill = this.parts = this.programs = this.registers = null; // the desk's
+    this.session = this.switches = this.tabs = this.teletype = this.time = null;
+    this.ready = false; // whether the desk is there
+    this.opening = null; // and when it will be
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
       const reader = event.target.closest("#reader");
       [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
     });
-    this.show();
   }
 
   /** The machine, with what is watched in it; while the afternoon leads it, as it was kept before. */
@@ -103,8 +71,12 @@ class Bench {
 
   set kept({ state, breakpoints }) {
     this.before = { state, breakpoints };
-    this.#restore(state);
-    for (const address of breakpoints) this.machine.watch.breakpoints.add(address & 0o7777);
+    const machine = restore(state);
+    for (const address of breakpoints) machine.watch.breakpoints.add(address & 0o7777);
+    if (this.room.open) {
+      machine.panel.stop();
+      this.room.keep(machine);
+    } else this.#standing(machine);
   }
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
@@ -254,8 +226,11 @@ class Bench {
 
   /** Let the machine be as a saved state has it, but standing still. */
   #restore(text) {
+    this.#standing(restore(text));
+  }
+
+  #standing(machine) {
     this.afternoon.takeOver();
-    const machine = restore(text);
     this.adopt(machine, true);
     this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");
@@ -337,12 +312,28 @@ class Bench {
     else this.lead(state, until);
   }
 
-  /** Open what the address holds, and what this browser has kept. A link that cannot be opened is forgotten. */
+  /** Lay the desk, while the room plays if the page opens there; then open what the address holds, and what this browser has
+   *  kept. A link that cannot be opened is forgotten.
+   */
   async open() {
-    if (!this.programs.names().length) this.programs.take("hello.pal", this.record.source);
-    this.editor.begin();
+    const { room } = this;
+    if (room.open) {
+      room.enter(this.record.opens);
+      await idle();
+    }
+    const { lay } = await import("./bench/desk.mjs");
+    Object.assign(this.record, await pack.more());
+    const pieces = lay(this);
+    while (!pieces.next().done) if (room.open) await idle();
+    if (this.programs.names().length) this.editor.begin();
+    else this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.session.open();
-    if (this.afternoon.asked()) return;
+    if (!this.afternoon.asked()) await this.#asked();
+    this.ready = true;
+    this.show();
+  }
+
+  async #asked() {
     try {
       const shared = await opened();
       if (shared) this.#open(shared);
@@ -353,7 +344,7 @@ class Bench {
     }
     if (this.record.view) this.mill.cut(this.record.view);
     else if (document.body.classList.contains("embed")) this.#embedded();
-    else if (!location.hash) this.room.enter(this.record.opens);
+    else if (!location.hash && !this.room.open) this.room.enter(this.record.opens);
   }
 
   /** Some panes alone: an afternoon plays on them. */
@@ -378,15 +369,18 @@ class Bench {
   }
 }
 
+/** The browser has nothing else to do. */
+function idle() {
+  return new Promise((done) => (globalThis.requestIdleCallback ?? setTimeout)(done));
+}
+
 async function start() {
-  const bench = new Bench(await unpacked(find("record").textContent));
-  embed(bench.tabs);
-  wire(bench);
-  if (RESTS) rest();
-  await bench.open();
+  const bench = new Bench(await pack.record);
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;
+  bench.opening = bench.open();
+  wire(bench);
+  if (RESTS) rest();
 }
 
 if (globalThis.document) start();
-else serve({ booted, checked, located, loosened, marks, printout, translated });

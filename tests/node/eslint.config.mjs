@@ -2,7 +2,7 @@
 
 import js from "@eslint/js";
 
-const BROWSER = "document window location history navigator localStorage sessionStorage performance console prompt matchMedia "
+const BROWSER = "document window pack location history navigator localStorage sessionStorage performance console prompt matchMedia "
   + "getComputedStyle getSelection addEventListener setTimeout clearTimeout requestAnimationFrame cancelAnimationFrame "
   + "IntersectionObserver ResizeObserver Option Worker Blob CSS Response URL URLSearchParams TextDecoder TextEncoder atob btoa CompressionStream "
   + "DecompressionStream OffscreenCanvas Path2D AudioContext AudioBuffer AudioBufferSourceNode "

@@ -20,6 +20,13 @@ interface EventTarget {
 
 interface Element extends HTMLOrSVGElement {}
 
+/** start.js */
+declare const pack: any;
+
+interface String {
+  encode: any;
+}
+
 interface Window {
   curve: any;
   workbench: any;

@@ -6,8 +6,7 @@
 // Positions are in ticks of 0.05 µs since one o'clock; in slow motion they have parts.
 
 import { Action } from "../../computer/use/operator.mjs";
-import { restore } from "../../computer/past/state.mjs";
-import { Act, clock, Kind, PROGRAMS, recalled } from "../../replay/day.mjs";
+import { Act, clock, Course, Kind } from "../../replay/day.mjs";
 import { Script } from "../../replay/script.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { dict } from "../translator/runtime.mjs";
@@ -28,6 +27,8 @@ export class Afternoon {
   constructor(bench) {
     this.bench = bench;
     this.made = null; // the script
+    this.codes = new Map(); // of its tapes
+    this.given = []; // the record's machines that it has
     this.on = this.playing = false;
     this.position = 0;
     this.way = html``;
@@ -62,14 +63,32 @@ export class Afternoon {
   }
 
   #script() {
-    const { bench, bench: { record: { afternoon: { acts, actions, machines, millStarts, part } }, shelf } } = this;
-    const named = (...names) => dict(names.map((name) => [name, shelf.get(name).frames]));
+    const { record: { afternoon: { acts, actions, millStarts, part, read } }, shelf } = this.bench;
+    const made = [`${part}.asc`, `${part}.eia`].map((name) => [name, shelf.get(name).frames]);
+    const loaded = Object.entries(read).map(([name, frames]) => [name, frames.encode("latin-1")]);
     const done = [acts.map((act) => new Act(...act)), actions.map((action) => new Action(...action))];
-    const course = recalled(part, ...done, named(`${part}.asc`, `${part}.eia`), named(...PROGRAMS), millStarts);
-    this.codes = new Map(course.tapes.items().map(([name, content]) => [name, codeOf(content)]));
-    const script = new Script(course, machines.map(([tick, state]) => [tick, restore(JSON.stringify(bench.whole(state))).values()]));
+    const script = new Script(new Course(part, ...done, dict([...made, ...loaded]), millStarts));
     find("slider").max = script.end;
     return script;
+  }
+
+  /** Let the script have the last of the record's machines that come before a tick. */
+  #near(tick) {
+    const { record: { afternoon: { machines } }, shelf } = this.bench;
+    const at = machines.findLastIndex(([kept]) => kept <= tick);
+    if (at < 0 || this.given[at]) return;
+    this.given[at] = true;
+    const [kept, values] = machines[at];
+    const piece = (name, from, to) => shelf.get(name).frames.slice(from, to);
+    const value = (written) => (typeof written === "string" ? written.encode("latin-1") : Array.isArray(written) ? piece(...written) : written);
+    this.script.keep(kept, dict(Object.entries(values).map(([name, written]) => [name, value(written)])));
+  }
+
+  /** The code of the tape in the reader. */
+  get code() {
+    const { mounted, day: { tapes } } = this.script;
+    if (mounted && !this.codes.has(mounted)) this.codes.set(mounted, codeOf(tapes.get(mounted)));
+    return this.codes.get(mounted);
   }
 
   /** Go to an instant, in ticks, and show it. */
@@ -81,6 +100,7 @@ export class Afternoon {
   /** The script leads the machine, to an instant. */
   lead(tick) {
     if (!this.on) this.#lead();
+    this.#near(tick);
     this.script.to(Math.floor(Math.min(tick, this.script.end)));
     this.position = this.script.now;
   }
@@ -89,7 +109,7 @@ export class Afternoon {
     const { bench } = this;
     bench.history.close();
     bench.aim();
-    bench.switches.card.end();
+    bench.switches?.card.end();
     find("counts").checked = false;
     this.on = true;
     this.program = null;
@@ -102,7 +122,7 @@ export class Afternoon {
     if (!this.on) return;
     const { bench, script, playing } = this;
     this.release(script.machine, !playing);
-    bench.teletype.named(script.mounted, this.codes.get(script.mounted));
+    bench.teletype.named(script.mounted, this.code);
     bench.why = `You have taken over at ${clock(script.now)}`;
   }
 
@@ -205,7 +225,7 @@ export class Afternoon {
     const { bench, script, script: { act, day, mounted, now } } = this;
     const time = clock(now);
     bench.writer.text(find("clock"), time);
-    bench.teletype.named(mounted, this.codes.get(mounted));
+    bench.teletype.named(mounted, this.code);
     if (Math.abs(find("slider").value - now) > script.end / FINE) find("slider").value = now;
     if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
     this.time = time;
@@ -229,7 +249,7 @@ export class Afternoon {
     const { bench, script: { day } } = this;
     this.shown = act;
     this.program = act.program;
-    if (act.program) bench.editor.lay(act.program, day.programs.get(act.program));
+    if (act.program) bench.editor.lay(act.program);
     const tape = `${day.part}.eia`;
     bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.band);
     bench.tabs.open(TABS[act.kind] ?? "program");

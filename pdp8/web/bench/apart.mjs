@@ -1,10 +1,10 @@
-// Work apart from the page, in a Worker that runs the page's own script: no loop of a program stops the page.
+// Work apart from the page, in a Worker that runs the page's own scripts: no loop of a program stops the page.
 //
 //     page ── [number, what, given] ──► Worker ── [number, made, why not] ──► page
 
 import { scriptAt } from "../html.mjs";
 
-/** What the page's script does in a Worker: `work` by its name. */
+/** What the page's scripts do in a Worker: `work` by its name. */
 export function serve(work) {
   globalThis.onmessage = ({ data: [number, what, given] }) => {
     try {
@@ -22,8 +22,8 @@ export class Apart {
   }
 
   #begin() {
-    const script = document.querySelector("script[type=module]").textContent;
-    const url = URL.createObjectURL(new Blob(["\"use strict\";\n", script], { type: "text/javascript" }));
+    const scripts = [...document.querySelectorAll("script.code")].map(({ textContent }) => textContent);
+    const url = URL.createObjectURL(new Blob(scripts, { type: "text/javascript" }));
     this.worker = new Worker(scriptAt(url));
     this.worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
     this.worker.onmessage = ({ data: [number, made, why] }) => {

@@ -10,7 +10,7 @@ import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { dict } from "../translator/runtime.mjs";
-import { assembled, checked, findings, here } from "../findings.mjs";
+import { assembled, checked, here } from "../findings.mjs";
 import { html, put } from "../html.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { Counts } from "./counts.mjs";
@@ -110,13 +110,12 @@ export class Editor {
   }
 
   /** Show the source of what is in core, to be read. */
-  lay(name, assembly) {
-    const tape = this.bench.shelf.get(name);
+  lay(name) {
     this.keep();
     this.area.readOnly = true;
-    this.#show(tape ? new TextDecoder().decode(tape.frames) : assembly.lines.map(({ source }) => source).join("\n"));
+    this.#show(new TextDecoder().decode(this.bench.shelf.get(name).frames));
     this.#say(html`${name} is in core. <button class="text" data-click="editor.back">Back to ${this.name}</button>`);
-    this.#found(findings(assembly));
+    this.#found(checked(name, this.text));
     this.write();
   }
 
@@ -358,9 +357,9 @@ export class Editor {
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */
   async boot() {
     const { name, tape } = this.#stopped();
-    const { bench, bench: { machine, record: { loader } } } = this;
+    const { bench, bench: { machine, record: { afternoon: { read } } } } = this;
     try {
-      const { state, said } = await bench.apart.ask("booted", [save(machine), loader, tape, name], SECONDS);
+      const { state, said } = await bench.apart.ask("booted", [save(machine), read["bin.rim"], tape, name], SECONDS);
       if (machine !== bench.machine) return; // another has come meanwhile
       machine.put(restore(state).values());
       bench.why = said;

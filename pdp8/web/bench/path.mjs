@@ -11,15 +11,17 @@ const STEPS = 720; // of a circle that is drawn
 export function contour(path, diameter, known) {
   const circle = followed(path.cuts);
   const band = known ? { inner: places(known.inner), nominal: places(known.nominal), outer: places(known.outer) } : circle && about(circle);
-  const cut = path.knots.filter(({ down }) => down);
-  return { path, diameter, bounds: bounds(cut.length ? cut : path.knots, diameter / 2 + MARGIN), circle, band };
+  return { path, diameter, bounds: bounds(path, diameter), circle, band };
 }
 
 function places(points) {
   return points.map(([x, y]) => ({ x, y }));
 }
 
-function bounds(knots, margin) {
+/** The room that the path takes. */
+export function bounds({ knots: all }, diameter) {
+  const cut = all.filter(({ down }) => down);
+  const knots = cut.length ? cut : all, margin = diameter / 2 + MARGIN;
   const [xs, ys] = [knots.map(({ x }) => x), knots.map(({ y }) => y)];
   return {
     left: Math.min(...xs) - margin, right: Math.max(...xs) + margin,

@@ -23,19 +23,36 @@ export function free(name, taken) {
 /** What the lists of the page offer that name some tapes: data-tapes. */
 const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) => code === "eia" };
 
+/** A tape, as a text or as its frames: what it is, is asked when it is wanted. */
+class Tape {
+  constructor(content) {
+    this.content = content;
+    this.known = null;
+  }
+
+  get frames() {
+    if (typeof this.content === "string") this.content = this.content.encode("latin-1");
+    return this.content;
+  }
+
+  get code() {
+    this.known ??= codeOf(this.frames);
+    return this.known;
+  }
+}
+
 export class Shelf {
   constructor(bundled) {
     this.tapes = new Map();
     this.bundled = Object.keys(bundled);
-    for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames.encode("latin-1"));
-    this.#offer();
+    for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames);
   }
 
   #add(name, frames) {
-    this.tapes.set(name, { frames, code: codeOf(frames) });
+    this.tapes.set(name, new Tape(frames));
   }
 
-  #offer() {
+  offer() {
     /** @type {NodeListOf<HTMLSelectElement>} */
     const lists = document.querySelectorAll("select[data-tapes]");
     for (const list of lists) {
@@ -53,8 +70,8 @@ export class Shelf {
   }
 
   set kept(own) {
-    for (const [name, frames] of own) this.#add(name, frames.encode("latin-1"));
-    this.#offer();
+    for (const [name, frames] of own) this.#add(name, frames);
+    this.offer();
   }
 
   names() {
@@ -69,7 +86,7 @@ export class Shelf {
   put(name, frames) {
     const called = free(name, (each) => this.tapes.has(each));
     this.#add(called, bytes(frames));
-    this.#offer();
+    this.offer();
     return called;
   }
 }

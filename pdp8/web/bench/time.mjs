@@ -137,6 +137,6 @@ export class Time {
     if (afternoon.on) return;
     const [said, controls] = next(bench);
     const buttons = controls.map(([label, selector]) => html`<button class="text" data-click="time.use" data-for="${selector}">${label}</button>`);
-    writer.html(find("next"), html`<span>${said}</span> ${buttons} ${afternoon.script ? afternoon.way : ""}`);
+    writer.html(find("next"), html`<span>${said}</span> ${buttons} ${afternoon.way}`);
   }
 }

@@ -4,7 +4,7 @@
 //
 // So do data-change, data-input and data-submit, of what is in the page now or later.
 
-/** Let the controls of the page call the methods that they name. */
+/** Let the controls of the page call the methods that they name; one that is pressed before all is there waits. */
 export function wire(bench) {
   for (const kind of ["click", "change", "input", "submit"]) {
     document.addEventListener(kind, (event) => {
@@ -13,10 +13,11 @@ export function wire(bench) {
       if (kind === "submit") event.preventDefault();
       const names = control.dataset[kind].split(".");
       const method = names.pop();
-      names.reduce((owner, name) => owner[name], bench)[method](control);
+      const call = () => names.reduce((owner, name) => owner[name], bench)[method](control);
+      if (bench.ready) call();
+      else bench.opening.then(call);
     }, true);
   }
-  for (const row of document.querySelectorAll("[role=toolbar], [role=tablist]")) rove(row);
 }
 
 /** The control within `place` that names the key of an event, or null. */

@@ -2,9 +2,14 @@
 
 const STIFF = 5; // of the spring
 const STEP = 0.01; // seconds of a step of the glide
-const STILL = 0.002; // inches, or parts of the zoom, a second: nobody sees it move
+const STILL = 0.5; // pixels, and pixels a second: nobody sees that it is not yet where it goes to
+const EDGE = 400; // pixels from the middle, where a zoom is seen
 
 export class Camera {
+  constructor() {
+    this.moves = false; // whether it glides
+  }
+
   /** Look at a box { x, y, w, h } so that all of it is in a frame { left, top, w, h } of the screen; at once, or gliding there. */
   look(box, frame, now) {
     this.frame = frame;
@@ -15,7 +20,7 @@ export class Camera {
 
   /** Let so many seconds pass. */
   glide(seconds) {
-    const { aim, eye } = this;
+    const { aim, eye, scale } = this;
     const steps = Math.ceil(seconds / STEP);
     for (let step = 0; step < steps; step++) {
       for (const at of ["x", "y", "zoom"]) {
@@ -24,12 +29,9 @@ export class Camera {
         eye[at] += eye[speed] * (seconds / steps);
       }
     }
-  }
-
-  /** Whether it glides. */
-  get moves() {
-    const { eye, scale } = this;
-    return Math.max(Math.abs(eye.vx * scale), Math.abs(eye.vy * scale), Math.abs(eye.vzoom) * 99) > STILL * 99;
+    const seen = (x, y, zoom) => Math.max(Math.abs(x * scale), Math.abs(y * scale), Math.abs(zoom * EDGE));
+    this.moves = Math.max(seen(eye.vx, eye.vy, eye.vzoom), seen(eye.x - aim.x, eye.y - aim.y, eye.zoom - aim.zoom)) > STILL;
+    if (!this.moves) this.eye = { ...aim, vx: 0, vy: 0, vzoom: 0 };
   }
 
   /** Pixels of the screen for an inch. */

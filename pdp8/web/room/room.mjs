@@ -8,7 +8,7 @@
 import { clock, Kind } from "../../replay/day.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
-import { contour } from "../bench/path.mjs";
+import { bounds } from "../bench/path.mjs";
 import { codeOf } from "../bench/shelf.mjs";
 import { keyed } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
@@ -27,6 +27,9 @@ import { Wall } from "./wall.mjs";
 const EACH = 1 / 32, HURRIED = 1 / 20; // seconds between two steps of the machine: camera and tapes glide between them
 const HURRY = 20; // times as fast: no event is waited for then
 const LOOKS = 4; // at the lamps in a step
+const SLOW = 1 / 32; // seconds between two pictures that are too many in a hurry
+const COARSE = 0.6; // part of the pixels, across and up, that are drawn then
+const SAID = 0.12; // seconds in which what is read does not change
 const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
 const LITTLE = 400; // pixels: where no more is high the panel is seen without its frame
@@ -45,10 +48,13 @@ export class Room {
     this.at = { reader: 0, punch: 0 };
     this.moved = { struck: 0, fed: 0, turns: 0 };
     this.samples = null;
-    this.milled = null;
+    this.work = this.milled = null;
     this.own = null; // the machine that somebody had worked at before
     this.live = this.playing = false;
     this.since = 0;
+    this.took = 0; // seconds between pictures, about
+    this.coarse = false;
+    this.said = 0; // seconds since something was written
     this.typed = 0;
     document.addEventListener("keydown", (event) => this.#key(event));
     new ResizeObserver(() => this.#resize()).observe(this.place);
@@ -62,7 +68,7 @@ export class Room {
   /** Enter the room, and play from an act on. */
   enter(turn = 0) {
     const { bench, bench: { afternoon, machine }, place } = this;
-    if (!afternoon.on) this.own = machine.processor.core.some((word) => word) ? machine : null;
+    if (!afternoon.on) this.keep(machine);
     place.hidden = false;
     if (!this.tour) this.#furnish();
     this.#resize();
@@ -72,14 +78,16 @@ export class Room {
     bench.clock.pictures.stop();
   }
 
+  /** Keep the machine at which somebody has worked, if anything is in its core. */
+  keep(machine) {
+    this.own = machine.processor.core.some((word) => word) ? machine : null;
+  }
+
   /** Put into the room what an afternoon has. */
   #furnish() {
-    const { afternoon: { script: { day } }, record: { afternoon: { band, story, wall }, cutter } } = this.bench;
+    const { afternoon: { script: { day } }, record: { afternoon: { machines, story } } } = this.bench;
     this.story = story;
-    this.tour = new Tour(day, this.bench.record.afternoon.machines[0][0]);
-    this.contour = contour(day.path, cutter, band);
-    this.fit = fitted(this.contour.bounds);
-    this.wall = wall && new Wall(wall, day.path.knots, cutter);
+    this.tour = new Tour(day, machines[0][0]);
     put(this.place.querySelector(".chapters"), story.slice(1).map(([name], index) => html`<li><button data-click="room.go" value="${index + 1}">${name}</button></li>`));
     this.chapters = [...this.place.querySelectorAll(".chapters button")];
   }
@@ -204,7 +212,6 @@ export class Room {
     const ticks = tour.tick - afternoon.script.now;
     const speed = ticks / SECOND / this.since;
     if (ticks > 0 && this.since > (speed > HURRY ? HURRIED : EACH)) this.#step(ticks, speed);
-    this.chapters[tour.turn - 1]?.style.setProperty("--done", tour.part.toFixed(3));
   }
 
   /** Let so many ticks pass, with some looks at the lamps; at a pace that can be heard, from event to event. */
@@ -269,7 +276,8 @@ export class Room {
     const { clientWidth: width, clientHeight: height } = this.place;
     const ratio = Math.min(window.devicePixelRatio || 1, width > 2600 ? 1 : width < 700 ? 1.6 : 2);
     this.tall = width < height;
-    this.scene.resize(width, height, ratio);
+    this.scene.resize(width, height, ratio, 1);
+    this.coarse = false;
     this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the plate's picture
     this.camera.eye = undefined;
     this.#measure();
@@ -297,18 +305,29 @@ export class Room {
     if (!this.open || !this.frame) return;
     const seconds = Math.min(0.1, Math.max(0, now - this.before) / 1000);
     this.#pass(seconds);
+    this.#hurry(seconds);
     this.#type(this.bench.afternoon.script.now);
     const apart = this.live && this.tall;
     const box = apart ? { x: 0, y: 0, w: APART.w, h: APART.h } : this.live ? atThePanel(this.frame.h < LITTLE) : this.tour.box(this.tall);
     this.camera.look(box, this.frame, this.still || this.apart !== apart);
     this.apart = apart;
     this.camera.glide(seconds);
-    const moves = this.#draw(seconds, apart);
-    this.#say();
-    if (!moves && !this.playing && !this.camera.moves) return;
+    const goes = this.#draw(seconds, apart) || this.playing || this.camera.moves;
+    this.said += seconds;
+    if (!goes || this.said > SAID) this.#say();
+    if (!goes) return;
     this.awake = true;
     this.before = now;
     requestAnimationFrame((next) => this.#picture(next));
+  }
+
+  /** In a hurry pictures that come too slowly have fewer pixels, until there is none. */
+  #hurry(seconds) {
+    this.took += (seconds - this.took) * 0.15;
+    const coarse = this.playing && !this.live && this.speed > HURRY && (this.coarse || this.took > SLOW);
+    if (coarse === this.coarse) return;
+    this.coarse = coarse;
+    this.scene.resize(this.scene.width, this.scene.height, this.scene.fine, coarse ? COARSE : 1);
   }
 
   /** Draw the room; return whether something in it still moves of itself. */
@@ -340,7 +359,9 @@ export class Room {
   }
 
   #say() {
-    const { bench: { afternoon, writer }, live, place, playing, speed } = this;
+    const { bench: { afternoon, writer }, live, place, playing, speed, tour } = this;
+    this.said = 0;
+    if (!live) this.chapters[tour.turn - 1]?.style.setProperty("--done", tour.part.toFixed(3));
     const [time, pace] = place.querySelector(".when").children;
     writer.text(time, clock(live ? this.bench.machine.processor.clock : afternoon.script.now));
     const times = speed > 30 ? Math.round(speed / 10) * 10 : Math.round(speed);
@@ -350,12 +371,12 @@ export class Room {
   #teletype(c, seconds) {
     const { bench: { afternoon, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
     page.draw(c, moved.struck, moved.fed);
-    const { day, mounted, now } = afternoon.script;
+    const { day, now } = afternoon.script;
     const terminal = printing && day.tapes.get(`${day.part}.asc`);
     const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
     this.glides = false;
     this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? "ascii" : this.live ? codeOf(punch.frames) : "eia", seconds);
-    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.codes.get(mounted) ?? "bin", seconds);
+    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.code ?? "bin", seconds);
     drawHeads(c, reader.on && !terminal);
   }
 
@@ -368,9 +389,17 @@ export class Room {
     if (Math.abs(gone) < 4 && frames[head] !== undefined) drawSign(c, TAPES[which], frames[head], code);
   }
 
+  /** What is milled, when it is seen first. */
+  #work() {
+    const { afternoon: { script: { day: { path } } }, record: { afternoon: { wall }, cutter: diameter } } = this.bench;
+    const within = bounds(path, diameter);
+    return { diameter, fit: fitted(within), path, wall: wall && new Wall(wall, path.knots, diameter), within };
+  }
+
   #mill(c, seconds) {
-    const { contour: { bounds, diameter }, fit, moved, tour, wall } = this;
-    const { day: { mill_starts: starts, path }, now } = this.bench.afternoon.script;
+    this.work ??= this.#work();
+    const { moved, tour, work: { diameter, fit, path, wall, within } } = this;
+    const { day: { mill_starts: starts }, now } = this.bench.afternoon.script;
     const second = (now - starts) / SECOND;
     const place = second >= 0 ? path.at(Math.min(second, path.times.total)) : path.first;
     const cuts = second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0;
@@ -380,7 +409,7 @@ export class Room {
     const measured = !this.live && tour.turn + 1 === tour.length;
     const close = measured && wall ? wall.closeness(tour.part) : 0;
     const tilt = TILT + (1 - TILT) * Math.min(1, close * 3);
-    const middle = { x: (bounds.left + bounds.right) / 2, y: (bounds.bottom + bounds.top) / 2 };
+    const middle = { x: (within.left + within.right) / 2, y: (within.bottom + within.top) / 2 };
     const aim = !measured ? place : wall ? wall.between(middle, close, fit) : middle;
     c.save();
     c.beginPath();
@@ -388,7 +417,7 @@ export class Room {
     c.clip();
     c.save();
     lay(c, measured && wall ? fit * wall.larger(close, fit) : fit, aim, tilt);
-    drawTable(c, bounds);
+    drawTable(c, within);
     this.#plate(second >= 0 ? place : null).draw(c, aim);
     if (close > 0) wall.draw(c, close);
     c.restore();
@@ -400,8 +429,8 @@ export class Room {
 
   /** The plate, as it has been milled. */
   #plate(place) {
-    const { bounds, diameter, path: { knots } } = this.contour;
-    this.milled ??= new Plate(knots, diameter, bounds, this.fine);
+    const { diameter, path: { knots }, within } = this.work;
+    this.milled ??= new Plate(knots, diameter, within, this.fine);
     if (place) this.milled.to(place);
     return this.milled;
   }

@@ -1,5 +1,6 @@
 // What is in the room, drawn through the camera: each thing in inches from its own upper left corner. What does not change is
-// drawn once for the size that it has where the camera comes to rest, one thing in each picture of the room.
+// drawn once for the size that it has where the camera comes to rest, one thing in each picture of the room; so at first there is
+// light on one after the other.
 
 import { sheet } from "./ink.mjs";
 import { drawMill, MILL } from "./mill.mjs";
@@ -18,14 +19,14 @@ export class Scene {
     this.context = canvas.getContext("2d");
     this.stills = new Map();
     this.dark = new Map();
+    this.width = this.height = this.fine = this.ratio = 0;
   }
 
-  resize(width, height, ratio) {
-    this.width = width;
-    this.height = height;
-    this.ratio = ratio;
-    Object.assign(this.canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
-    this.stills.clear();
+  /** Be as large as the window, with `fine` pixels for one of CSS, or a part of them. */
+  resize(width, height, fine, part) {
+    Object.assign(this, { width, height, fine, ratio: fine * part });
+    const [wide, high] = [width, height].map((side) => Math.round(side * this.ratio));
+    if (this.canvas.width !== wide || this.canvas.height !== high) Object.assign(this.canvas, { width: wide, height: high });
   }
 
   /** Draw the room: `live` draws what moves on each thing that is there, `lit` says whether light falls on it; `shown` is how
@@ -43,9 +44,11 @@ export class Scene {
       const corner = [origin.x + x * scale, origin.y + y * scale];
       const [left, top] = camera.moves ? corner : corner.map((at) => (Math.round((at - MARGIN * scale) * ratio) / ratio) + MARGIN * scale);
       if (left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0) continue;
+      const kept = this.#still(name, still, w, h, camera);
+      if (!kept) continue;
+      const { picture, sharp } = kept;
       c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
       inPieces(c, name === "panel" ? shown : WHOLE, () => {
-        const { picture, sharp } = this.#still(name, still, w, h, camera);
         c.drawImage(picture, -MARGIN, -MARGIN, picture.width / sharp, picture.height / sharp);
         live[name](c);
       });
@@ -68,12 +71,12 @@ export class Scene {
     return Math.abs(dark - goal) > 0.01;
   }
 
-  /** What does not change of a thing: its picture, with the pixels of an inch. */
+  /** What does not change of a thing: its picture, with the pixels of an inch; nothing if another was drawn for this picture. */
   #still(name, still, w, h, camera) {
     const kept = this.stills.get(name);
-    const sharp = Math.min(camera.goal * this.ratio, LARGEST / (Math.max(w, h) + 2 * MARGIN));
+    const sharp = Math.min(camera.goal * this.fine, LARGEST / (Math.max(w, h) + 2 * MARGIN));
     if (kept?.sharp === sharp) return kept;
-    if (kept && this.drawn) {
+    if (this.drawn) {
       this.blurred = true;
       return kept;
     }

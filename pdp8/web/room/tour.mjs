@@ -6,8 +6,8 @@ import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs"
 
 /** Where things stand, in a window that is wider than high, and in one that is higher. */
 const PLACES = {
-  wide: { mill: { x: 24, y: 12.05 }, panel: { x: 24, y: 2.4 }, teletype: { x: 0, y: 0 } },
-  tall: { mill: { x: 1.5, y: 26.4 }, panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 } },
+  wide: { panel: { x: 24, y: 2.4 }, teletype: { x: 0, y: 0 }, mill: { x: 24, y: 12.05 } },
+  tall: { panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 }, mill: { x: 1.5, y: 26.4 } },
 };
 const ALL = { wide: { x: -1.4, y: 1.5, w: 45.8, h: 23.2 }, tall: { x: -0.5, y: -0.6, w: 23, h: 25.6 } };
 const seen = (of, ...boxes) => ({ of, boxes: boxes.map(([x, y, w, h]) => ({ x, y, w, h })) });

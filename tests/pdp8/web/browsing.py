@@ -38,7 +38,7 @@ def launched() -> Iterator[Browser]:
 
 @contextmanager
 def visit(
-    browser: Browser, address: str, condition: str = "!!window.workbench", **options: Any
+    browser: Browser, address: str, condition: str = "!!window.workbench?.ready", **options: Any
 ) -> Iterator[Page]:
     """A page that knows no other, offline; it may not complain, nor ask for anything."""
     context = browser.new_context(offline=True, **options)

@@ -230,7 +230,7 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
     with page.context.expect_page() as opened:
         page.locator("#open").click()
     bench = opened.value
-    until(bench, "!!window.workbench?.mill.steps?.length")
+    until(bench, "!!window.workbench?.mill?.steps?.length")
     assert bench.evaluate("workbench.mill.steps?.length") == blocks
     tape = bytes(bench.evaluate("[...workbench.shelf.get(workbench.mill.name).frames]"))
     heights, tolerance = bench.evaluate(_TYPED)

@@ -16,7 +16,7 @@ HALT = "*200\n\tHLT\n$\n"
 
 def _reopened(page: Page) -> None:
     page.reload()
-    until(page, "!!window.workbench")
+    until(page, "!!window.workbench?.ready")
 
 
 def _drop(page: Page, name: str, content: str) -> None:
@@ -124,7 +124,7 @@ def _visited_again(page: Page) -> Page:
     other = page.context.new_page()
     page.close(run_before_unload=True)
     other.goto(address)
-    until(other, "!!window.workbench")
+    until(other, "!!window.workbench?.ready")
     return other
 
 
@@ -188,7 +188,7 @@ def test_the_desk_is_as_it_was_left_when_the_room_has_been_seen(page: Page) -> N
     other = page.context.new_page()
     page.close(run_before_unload=True)
     other.goto(page.url.split("#")[0])
-    until(other, "!!window.workbench?.room.open")
+    until(other, "window.workbench?.ready && workbench.room.open")
     other.evaluate("dispatchEvent(new Event('pagehide'))")
     click(other, "#leave")
     held = "[workbench.machine.pc, ...workbench.machine.watch.breakpoints]"
@@ -229,7 +229,7 @@ def test_nothing_moves_while_it_opens(
     page.add_init_script(_SHIFTED)
     context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": 4})
     page.goto(f"{file.as_uri()}#{opens}")
-    until(page, "!!window.workbench")
+    until(page, "!!window.workbench?.ready")
     until(page, "document.getElementById('messages').textContent.includes('words')")
     page.wait_for_timeout(500)
     assert page.evaluate("window.shifts") < 0.1

@@ -36,7 +36,7 @@ def _drop(page: Page, name: str, content: str) -> None:
 
 def _reopened(page: Page) -> None:
     page.reload()
-    until(page, "!!window.workbench")
+    until(page, "!!window.workbench?.ready")
 
 
 def link(shared: Any) -> str:

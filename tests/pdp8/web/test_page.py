@@ -19,7 +19,10 @@ def page(browser: Browser, circle_page: Path) -> Iterator[Page]:
     """The circle's page on a projector."""
     start = circle_page.as_uri() + "#t=0"
     with visit(
-        browser, start, "!!window.workbench?.afternoon.on", viewport={"width": 1280, "height": 720}
+        browser,
+        start,
+        "window.workbench?.ready && workbench.afternoon.on",
+        viewport={"width": 1280, "height": 720},
     ) as page:
         yield page
 
@@ -321,7 +324,7 @@ def test_no_task_is_long(page: Page, circle: Afternoon) -> None:
     """By a clock on which all is late, the page has its turn after a unit or two of play, of run."""
     page.add_init_script(_HASTE)
     page.reload()
-    until(page, "!!window.workbench?.afternoon.on")
+    until(page, "window.workbench?.ready && workbench.afternoon.on")
     page.locator("#speed").select_option(label="as fast as it goes")
     _go(page, _translating(circle))
     for button, passed, most in (

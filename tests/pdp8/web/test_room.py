@@ -41,17 +41,19 @@ def test_the_page_opens_in_the_midst_of_the_translation(room: Page) -> None:
     until(room, f"workbench.machine.processor.instructions > {before}")
     assert "1971" in room.evaluate(_STORY)
     room.reload()
-    until(room, "window.workbench?.room.open")
+    until(room, "window.workbench?.ready && workbench.room.open")
     click(room, "#leave")
     assert room.evaluate("location.hash") == "#workbench"
     room.reload()
-    until(room, "!!window.workbench")
+    until(room, "!!window.workbench?.ready")
     assert not room.evaluate("workbench.room.open")
 
 
 def test_an_afternoons_page_begins_at_its_first_act(browser: Browser, circle_page: Path) -> None:
     """The terminal types and punches frame by frame, ten a second."""
-    with visit(browser, circle_page.as_uri(), "window.workbench?.room.playing", viewport=_HD) as page:
+    with visit(
+        browser, circle_page.as_uri(), "window.workbench?.ready && workbench.room.playing", viewport=_HD
+    ) as page:
         assert page.evaluate("workbench.room.tour.turn") == _PRINT
         until(page, f"{_NOW} > {5 * FRAME}")
         page.evaluate("workbench.room.toggle()")

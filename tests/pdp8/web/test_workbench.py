@@ -239,7 +239,7 @@ def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
 
 def test_a_screen_that_nobody_touches_begins_afresh(browser: Browser, circle_page: Path) -> None:
     """It plays again, each time, wherever the afternoon stood, and has nothing of the visitor before."""
-    playing = "!!window.workbench?.room.playing"
+    playing = "window.workbench?.ready && workbench.room.playing"
     with visit(browser, f"{circle_page.as_uri()}?rest=60", playing) as page:
         page.clock.install()
         for _ in range(2):
