@@ -5,7 +5,8 @@ bundle        modules, style and data in one file, and what that file may do; st
 
 workbench     the one page: the live machine, and the afternoon that plays on it
               workbench.mjs, its panes in bench/: a class NAME.mjs and a section NAME.html each, laid by
-              desk.mjs while the room plays; the HTML names the method that each control calls (bench/wiring.mjs)
+              desk.mjs while the room plays; the HTML names the method that each control calls
+              (bench/wiring.mjs)
 record        what it has at hand, as JSON; kept: in the user's cache, while the sources are the same
 parts         the part programs' options, as the page asks for them, and their fields
 findings      what an assembly says of each line, as the editor shows it

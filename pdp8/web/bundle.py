@@ -118,7 +118,7 @@ def _identifier(name: str) -> str:
 def page(
     title: str, body: str, styles: Iterable[str], entry: str, data: Any, more: Any = None, kind: str = ""
 ) -> str:
-    """Return the page with the HTML file `body`, its styles, scripts and data inside, and the policy for them;
+    """Return the page with the HTML file `body`, its styles, scripts and data inside, and their policy;
     `more` is data for the second script, `kind` the class of its body.
 
     Scripts and data are compressed. The policy lets the page run its own scripts and style, and ask for

@@ -57,7 +57,7 @@ def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
     tabs = [page.context.new_page() for _ in range(2)]
     for other in tabs:
         other.goto(page.url)
-        until(other, "window.workbench?.editor.name === 'mine.pal'")
+        until(other, "window.workbench?.editor?.name === 'mine.pal'")
     tabs[0].locator("#source").fill(HALT + "/ first\n")
     until(tabs[0], "workbench.programs.get('mine.pal').includes('first')")
     says = "document.getElementById('program-says').textContent"
@@ -283,7 +283,7 @@ def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
     click(page, "#share")
     until(page, "location.hash.startsWith('#s=')")
     assert len(page.url) < 1500
-    with visit(browser, page.url, "window.workbench?.editor.text.includes('onerror')") as other:
+    with visit(browser, page.url, "window.workbench?.editor?.text.includes('onerror')") as other:
         assert other.evaluate("workbench.machine.processor.core[0o200]") == 0o7402
         assert other.locator("img").count() == 0
         tape = other.evaluate("[...workbench.machine.teletype.reader.tape]")
