@@ -67,7 +67,7 @@ def told(assembly: Assembly, work: "Work3 | Work8", other: _Work3 | _Work8) -> A
 
 
 def _told(assembly: Assembly, work: "Work3 | Work8", other: "Work3 | Work8") -> Assembly:
-    if other.ok:
+    if other.ok and not other.is_empty():
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
         said = note("PN36 other", work.first(), dialect=SPELLED[dialect], option=dialect)
         assembly.noted.append((NOTE, said, ""))

@@ -195,3 +195,4 @@ def test_a_source_that_begins_with_its_end_is_not_taken_for_pal8(source: str | b
     assembly = pal.assemble(source)
     assert (assembly.dialect, assembly.ok) == ("pal3", False)
     assert assembly.messages[0] == "IC  0232  AT  0200"
+    assert "PN36" not in {found.code for found in assembly.diagnostics}
