@@ -174,7 +174,7 @@ def _kind_of_illegal(value: int) -> str:
 
 
 def _kind_of_undefined(name: str, source: Source) -> tuple[str, str]:
-    """Return the key of what is said of an undefined symbol, and the line where its tag may lack a comma."""
+    """Return the key of the message on an undefined symbol, and the line where its tag may lack a comma."""
     at = source.bare_tag(name)
     if at is None:
         return "UA", ""

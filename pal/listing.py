@@ -67,7 +67,7 @@ def octal(number: int) -> str:
 
 
 def text_of(raw: bytes) -> str:
-    r"""Return what is to be read of typed frames: without codes that do not print, CR LF as ``\n``."""
+    r"""Return the text of typed frames: without codes that do not print, CR LF as ``\n``."""
     return raw.translate(frames.PARITIES["none"], _SILENT).decode("ascii")
 
 

@@ -158,11 +158,11 @@ PN35           small letters are illegal characters in PAL III: {count} of them
                `pal --modern` reads them as capitals
 PN35 PAL8      small letters are capitals here; DEC's PAL8 passes over them (IC) | write capitals
 PN35 TEXT      small letters, which DEC's PAL8 leaves out (IC) | write capitals: six bits have no others
-PN36           taken for PAL8: it has what PAL III has not
+PN36           taken for PAL8: it uses what PAL III lacks
                --dialect pal8 says so, --dialect pal3 keeps to PAL III
 PN36 other     in {dialect} this has no error: --dialect {option}
 PN37           {name}, {octal}, is no instruction of a PDP-8/L | it does nothing there, or something else
-PN37 field     {octal} is for field {field}, which a PDP-8/L of 4K has not | without the MC8/L it does nothing
+PN37 field     {octal} is for field {field}, which a PDP-8/L of 4K lacks | without the MC8/L it does nothing
 PN38           {octal} {differs} | a program for all models does without
 PN41           {name} was {value}, and is {now} from here on
                a use before its first definition sees the last value

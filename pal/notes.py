@@ -48,7 +48,7 @@ _SAME_AS = {
 
 
 class Note(NamedTuple):
-    """What is to be noted: its code, at which item or place, and what to do."""
+    """A note: its code, its item or place, what is wrong, and what to do."""
 
     code: str
     at: int

@@ -1,9 +1,9 @@
 """Which dialect a source is in.
 
 PAL III where it is clean there; else PAL8 where it is clean there and has a name or a character that PAL III
-has not, or where a line of it that is right can be PAL8's alone and PAL8 has no more errors.
+lacks, or where a line of it that is right can be PAL8's alone and PAL8 has no more errors.
 
-A character that PAL III has not shows at once that a source is not clean there: then PAL8 is tried first.
+A character that PAL III lacks shows at once that a source is not clean there; PAL8 is then tried first.
 """
 
 import re

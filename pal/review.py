@@ -1,4 +1,4 @@
-"""What is to be noted of a PAL III source after its passes: of its words, names, lines and end.
+"""The notes on a PAL III source after its passes: on its words, names, lines and end.
 
 What the assembler itself comes across is in `pal.watched`.
 """
@@ -34,7 +34,7 @@ def notes(
     punched: Output,
     table: Sequence[Entry],
 ) -> list[Note]:
-    """Return what else is to be noted of a source of so many tapes, after passes 1 and 2.
+    """Return the other notes on a source, which has this number of tapes, after passes 1 and 2.
 
     `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
     """

@@ -51,7 +51,7 @@ PALBARTS = {
 NOT_ON_THE_8L = frozenset(
     "BSW MQL MQA SWP ACL SKON SRQ GTF RTF SGT CAF KCF TFL KIE TSK RPE PCE".split()  # noqa: SIM905
 )
-"""Instructions of the 8/E that an 8/L has not, or that do something else there."""
+"""Instructions of the 8/E that an 8/L lacks, or that do something else there."""
 
 HANDLERS = {
     **{"DECIMAL": 0o0207, "DEVICE": 0o2530, "DTORG": 0o5400, "EJECT": 0o5505, "ENPUNCH": 0o0205},

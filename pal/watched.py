@@ -1,8 +1,8 @@
 """PAL III with an eye on what it makes of a source that means something else than it says.
 
 PAL III is silent there, and the tape is the same; a person would rather know. `Watched` is the assembler
-itself, which notes what it comes across in the passes that run anyway; `pal.review` adds what is to be seen
-in the source and in the words. A source of which there is nothing to note never loads `pal.notes`.
+itself, which notes what it comes across in the passes that run anyway; `pal.review` adds what the source
+and the words show. A source of which there is nothing to note never loads `pal.notes`.
 """
 
 from typing import TYPE_CHECKING

@@ -61,7 +61,7 @@ class Work3:
         return self._source.place(at)
 
     def first(self) -> int:
-        """Return the place of what is said of the whole source."""
+        """Return the place of notes on the whole source."""
         return 0
 
     def messages(self) -> list[str]:

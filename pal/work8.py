@@ -59,7 +59,7 @@ class Work8:
         self.ok = not self.errors
 
     def _errors(self) -> list[Note]:
-        """Return the messages of pass 2, of a statement's ICs the first, and those that pass 1 alone has."""
+        """Return the messages of pass 2, only the first IC of a statement, and those that only pass 1 has."""
         places = self._run.places
         again = {f"{said.code} {places[said.at][0]}" for said in self._run.complaints if said.number == 2}
         return [
@@ -97,7 +97,7 @@ class Work8:
         return self._run.mentions
 
     def first(self) -> int:
-        """Return the place of what is said of the whole source."""
+        """Return the place of notes on the whole source."""
         return self._run.place_of_line(0)
 
     def messages(self) -> list[str]:
@@ -188,7 +188,7 @@ class Work8:
         return [index for index, _ in self._run.origins]
 
     def _on_names(self) -> list[Note]:
-        """Note what was meant by undefined names, names cut short, and instructions that an 8/L has not."""
+        """Note what was meant by undefined names, names cut short, and instructions that an 8/L lacks."""
         known = self._run.symbols
         later = {name for name in symbols8.NOT_ON_THE_8L if name in known and not known[name].passed}
         asked = {name for name in known if len(name) == SIGNIFICANT or name in later}

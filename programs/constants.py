@@ -50,7 +50,7 @@ class Constant(NamedTuple):
     excludes: str = ""
 
     def keep(self, value: str) -> Any:
-        """Return what the part program keeps for `value` as it was typed. Raises ValueError."""
+        """Return the value that the part program keeps for `value` as typed. Raises ValueError."""
         if self.unit is not None:
             number = self.unit.keep(value, self.whole)
             return int(number) if self.whole else number

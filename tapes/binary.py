@@ -237,7 +237,7 @@ def _load(items: Iterable[Item], content: Content) -> None:
 
 
 def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
-    """Return what stands from frame `at` on, and the frame of the trailer or of what is wrong, if it is."""
+    """Return what stands from frame `at` on, and the frame of the trailer, or of the first fault."""
     items: list[Item] = []
     while at < len(frames):
         frame = frames[at]

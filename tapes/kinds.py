@@ -125,7 +125,7 @@ def _likeliest(body: bytes) -> str:
 def _after_label(body: bytes) -> str | None:
     """Return the kind of a loader tape after letters for the eye; None where there is none.
 
-    Lines that end with CR LF are no such letters, and what is damaged after them must not be text either.
+    Lines that end with CR LF are no such letters, and damaged frames after them are no text either.
     """
     leader = leader_start(body)
     if not leader or b"\r\n" in body[:leader].translate(PARITIES["none"]):

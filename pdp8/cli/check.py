@@ -193,7 +193,7 @@ def _stem(name: str) -> str:
 
 
 def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
-    """Yield a page an answer, called as its file is; of those with one name the later have a number."""
+    """Yield a page an answer, called as its file is; later ones with the same name get a number."""
     taken: Counter[str] = Counter()
     for result in results:
         stem = _stem(result.answer)

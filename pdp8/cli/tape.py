@@ -214,7 +214,7 @@ def punch(
     """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
 
     A Hydra-Point program may be typed as a book prints it, its 19 digits apart: 001 0 00000 00000 0 35 88.
-    Such spaces and blank lines are not punched, and a line that has not 19 digits is named.
+    Such spaces and blank lines are not punched, and a line without 19 digits is named.
 
     \b
     Examples:

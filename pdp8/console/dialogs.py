@@ -22,7 +22,7 @@ _LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
 
 
 class ChooseTape(ModalScreen[Tape | None]):
-    """A tape of those at hand, or a file by its name."""
+    """A tape at hand, or a file by its name."""
 
     AUTO_FOCUS = "Input"
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -68,7 +68,7 @@ class ChooseTape(ModalScreen[Tape | None]):
         self.dismiss(self.tapes[event.option_index])
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Take the tape that was named: of those at hand, else the file, if it can be read."""
+        """Take the tape that was named: one at hand, else a file, if it can be read."""
         name = event.value.strip()
         if not name:
             return
@@ -85,7 +85,7 @@ class ChooseTape(ModalScreen[Tape | None]):
 
 
 class AskToLeave(ModalScreen[bool]):
-    """Whether to leave with a tape in the punch that nobody has torn off."""
+    """Asks whether to leave although a tape is still in the punch."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
         _LEAVE,

@@ -111,7 +111,7 @@ class Session:
             self._slice = max(self._slice / 2, _SHORTEST)
 
     def _look(self, samples: list[Lamps] | None = None) -> None:
-        """See the lamps: at a standstill as they are, else each as often as it was on."""
+        """Read the lamps: at a standstill as they are, else each as bright as it was often on."""
         lamps = self.machine.panel.lamps
         self.brightness = shares(samples if samples and lamps.run else [lamps])
         """How bright each lamp is, 0 to 1, most significant first."""
@@ -207,7 +207,7 @@ class Session:
         return tape
 
     def clear(self) -> None:
-        """Say and do nothing more of what was before, as the next operator comes."""
+        """Drop what was still to be said and done: the next operator comes."""
         self._hands = None
         self.operator = Operator(self.machine)
         self.speed = 1

@@ -19,7 +19,7 @@ _CORE = f">{SIZE}H"
 
 
 def read_memory(room: Debuggee, arguments: Body) -> Body:
-    """Return the bytes that were asked for, as far as there are so many."""
+    """Return the bytes that were asked for, or as many as there are."""
     content = struct.pack(_CORE, *room.monitor.machine.core)
     begin = min(max(_first(arguments), 0), len(content))
     count = max(arguments["count"], 0)

@@ -117,7 +117,7 @@ def data_info(room: Debuggee, arguments: Body) -> Body:
 
 
 def evaluate(room: Debuggee, arguments: Body) -> Body:
-    """Return what an expression is, or what the monitor says to a line of the console."""
+    """Return the value of an expression, or the monitor's answer to a line of the console."""
     line = arguments["expression"].strip()
     named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
     at_console = arguments.get("context") == "repl"

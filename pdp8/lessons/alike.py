@@ -27,7 +27,7 @@ _OWN = frozenset(each.mnemonic for each in PERMANENT)
 
 
 class Pair(NamedTuple):
-    """Two answers, and how much of what they have is shared, 0 to 1."""
+    """Two answers, and the share of them that is the same, 0 to 1."""
 
     one: str
     other: str

@@ -21,7 +21,7 @@ class Answer:
     fault: str = ""
 
     def address(self, place: str) -> int:
-        """Return the address that octal digits name, or a tag that it has, or so many words behind a tag."""
+        """Return the address that octal digits name, or a tag of the answer, or a tag with an offset."""
         if place[0].isdigit():
             return int(place, 8)
         name, behind = tag(place)

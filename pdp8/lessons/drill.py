@@ -137,7 +137,7 @@ class Coach:
         self._still = 0.0
 
     def again(self) -> None:
-        """Begin again: the machine is as it was at first."""
+        """Begin again, with the machine in its first state."""
         self.machine.put(self._cold)
         self._begin()
 
@@ -200,7 +200,7 @@ class Coach:
         return False
 
     def _moved(self) -> bool:
-        """Tell whether anything is not as it was at first."""
+        """Tell whether anything differs from the first state."""
         return self.begun or bool(changed(self._cold, self.machine.values()))
 
 

@@ -83,7 +83,7 @@ class Slips:
 
 
 def slips(read: Callable[[int], Exercise], seed: int, most: int = SLIPS) -> Slips:
-    """Try the slips of a solution, or so many of them, drawn. `read` returns the exercise by a seed."""
+    """Try the slips of a solution, or a random sample of them. `read` returns the exercise by a seed."""
     if not read(seed).cases:
         return Slips(0, 0, [], [])
     exercises = [_bounded(read(seed + more)) for more in range(_SEEDS)]

@@ -70,7 +70,7 @@ class Looks:
             self.executed[address] = self.executed.get(address, 0) + 1
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Take no notice of what was passed over: every loop has been seen once."""
+        """Ignore what was passed over: every loop has been seen once."""
 
 
 def missing(answer: Answer, trial: Trial) -> str:

@@ -88,7 +88,7 @@ def seconds(text: str) -> float:
 
 
 def some(arguments: Sequence[str], what: str, least: int = 1, most: int | None = None) -> Sequence[str]:
-    """Return `arguments` if there are at least so many, and at `most` so many. Raises MonitorError."""
+    """Return `arguments` if their number is at least `least` and at most `most`. Raises MonitorError."""
     if len(arguments) < least:
         raise MonitorError(f"{what} expected")
     if most is not None and len(arguments) > most:

@@ -146,7 +146,7 @@ def _failure(monitor: Monitor, goal: Goal, left: int, why: str) -> str:
 
 
 def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
-    """Run for at most so many seconds; yield after each slice. Change tapes as the reader runs out; press
+    """Run for at most `limit` seconds; yield after each slice. Change tapes as the reader runs out; press
     STOP when `monitor.stopping` is set.
     """
     machine = monitor.machine

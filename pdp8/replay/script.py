@@ -189,7 +189,7 @@ class Script:
                 yield self.now
 
     def _event(self, act: Act) -> int:
-        """Return the tick of what may come next."""
+        """Return the tick at which the next thing may happen."""
         soon = min(self._next_action, act.ends)
         if act.kind in (Kind.TERMINAL, Kind.MILL):
             return min(soon, _first_from(self._rows, self.now + 1))

@@ -1,4 +1,4 @@
-"""What is told of an afternoon to somebody who has never seen it: a name and a sentence for each act.
+"""The story of an afternoon for somebody who has never seen one: a name and a sentence for each act.
 
 The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement; the first
 sentence says so.

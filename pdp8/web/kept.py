@@ -16,7 +16,7 @@ _NOT_SOURCES = (".pyc", ".so", ".pyd")
 
 
 def kept(name: str, content: str, make: Callable[[], Any]) -> Any:
-    """Return what `make` makes of `content`: as it was kept, if `content` is no other since."""
+    """Return what `make` makes of `content`, from the cache if `content` is unchanged."""
     folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "pdp8"
     path = folder / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
     try:

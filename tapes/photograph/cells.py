@@ -141,7 +141,7 @@ def doubts(cells: Cells, tape: Found, beyond: Array, outside: Array) -> dict[str
 
 
 def noise(core: Array, hole: Array) -> Array:
-    """Return the standard deviation of what is alike around each place, holes or paper."""
+    """Return the standard deviation of the darkness around each place, among holes or among paper."""
     found = np.empty(core.shape)
     for at in range(len(core)):
         near = slice(max(0, at - _WINDOW), at + _WINDOW + 1)

@@ -33,7 +33,7 @@ class Side(NamedTuple):
 def find_side(flat: Flat, sheet: Sheet) -> Side:
     """Return which track is the sprocket track and on which side of it three channels are.
 
-    Raises TapeError if the paper has not its edges where a tape has, or the holes are not as a tape's.
+    Raises TapeError if the paper's edges or the holes do not lie as those of a tape do.
     """
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)

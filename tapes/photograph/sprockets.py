@@ -94,7 +94,7 @@ def _spots(picture: Array) -> tuple[Array, Array]:
 
 
 def _straight(places: Array, shape: tuple[int, ...]) -> Array:
-    """Return the numbers (n, FEWEST) of spots that follow each other at like distances and directions."""
+    """Return the numbers (n, FEWEST) of spots in a row, at nearly equal distances and directions."""
     margin = 16  # beyond the picture is no spot
     which: Array = np.full(shape, -1, np.float32)
     x, y = places.astype(int).T

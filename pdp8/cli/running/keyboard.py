@@ -1,8 +1,8 @@
 """A terminal as the Teletype: what is typed is its keyboard (see computer/use/keys), what it prints the page.
 
-A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. A key that a
-Model 33 has not (an arrow, F1) types nothing. The terminal, prompt_toolkit's on every system, is put back as
-it was, however the program ends.
+A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. A key
+that a Model 33 lacks (an arrow, F1) types nothing. However the program ends, the terminal (prompt_toolkit's
+on every system) is put back as it was.
 """
 
 import sys

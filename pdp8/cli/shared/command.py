@@ -162,7 +162,7 @@ def tell_written(name: str, replaced: bool) -> None:
 
 
 def _take_any_character() -> None:
-    """Let standard output and error show a question mark for a character that their encoding has not."""
+    """Let standard output and error show a question mark for a character that their encoding lacks."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper) and stream.errors == "strict":
             stream.reconfigure(errors="replace")

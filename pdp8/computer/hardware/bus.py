@@ -42,7 +42,7 @@ class Device:
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
 
-        IOP1 may only test the flag: a loop that does no more is passed over until a flag changes.
+        IOP1 may only test the flag: a loop that only tests is passed over until a flag changes.
         """
         raise NotImplementedError
 

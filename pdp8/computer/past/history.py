@@ -72,7 +72,7 @@ class History:
         machine.recorder = self
 
     def close(self) -> None:
-        """Record no more, and forget the past."""
+        """Stop recording, and forget the past."""
         self.machine.recorder = None
         self._keep([])
 
@@ -230,7 +230,7 @@ class History:
         return [mark for mark in reversed(self._marks) if mark.whole]
 
     def go_to_instruction(self, number: int) -> None:
-        """Go to the last moment at which the machine had done so many instructions."""
+        """Go to the last moment at which the machine had done this number of instructions."""
         self._go(sum(mark.instructions <= number for mark in self._marks))
         machine = self.machine
         in_cycles = self._next < len(self._marks) and self._marks[self._next].jump

@@ -2,8 +2,8 @@
 
 A program waits when it comes back to the same PC, AC, L and core, and in between no pulse has acted on a
 device and no flag has changed. Every further turn is then the same turn until the next event of a device:
-KSF, JMP .-1 and its kin, JMP . under interrupt, a ring of several flag tests. If no event can come, it waits
-for ever.
+KSF, JMP .-1 and its kin, JMP . under interrupt, a ring of several flag tests. If no event can come, it
+never ends.
 
 To compare at every instruction would cost more than the waiting. So it is done where programs wait: in front
 of a flag test or of a JMP to itself, and, for a loop that has neither, every 10 ms of machine time. Only the
@@ -137,8 +137,8 @@ class Waiting:
 
     def _waits_for_flag(self, until: int, last: int) -> bool:
         """Tell whether KSF, JMP .-1 or one of its kin is here, which is recognized without a second turn;
-        pass over its turns if the flag is down. One that is for ever is left to be recognized as any ring is,
-        and so is every one whose first turn is watched.
+        pass over its turns if the flag is down. An endless wait is recognized like any other ring, and so
+        is a wait whose first turn is watched.
         """
         p = self.processor
         event = p.bus.next_event(p.clock)  # a device that saw a frame may have stopped the machine, or set it

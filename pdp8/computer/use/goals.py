@@ -70,7 +70,7 @@ class _Watched(Goal):
         places.add(address)
 
     def over(self) -> None:
-        """Watch the address no more, unless it was watched before."""
+        """Stop watching the address, unless it was watched before."""
         if self.added is not None:
             self._places.discard(self.added)
 

@@ -78,7 +78,7 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     `dialect` is that of a source: pal3, pal8, or auto, which finds PAL8 by what it has.
 
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
-    field that a machine of 4K has not, what is no program.
+    field that a machine of 4K lacks, what is no program.
     """
     kind = kinds.classify(frames)
     with naming(name):

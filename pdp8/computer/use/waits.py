@@ -1,4 +1,4 @@
-"""What a program waits for that nothing on its way will bring, in words, and what is at hand that ends it.
+"""What a program waits for although nothing on its way will bring it, in words, and what would end the wait.
 
     KSF, JMP .-1    a character from the keyboard or the reader      keyboard, reader
     RSF, JMP .-1    a frame from the high-speed reader               high-speed reader
@@ -21,7 +21,7 @@ class Wait(NamedTuple):
 
 
 def waits_for(machine: Machine) -> Wait:
-    """Return what a machine waits for whose loop nothing on its way will end."""
+    """Return what a machine waits for in a loop that nothing already on its way will end."""
     ion = machine.processor.ion == 1
     tested = [device.code for device in machine.bus if device.tested]
     said: list[str] = []

@@ -10,7 +10,7 @@ inference    the type of each expression: from annotations, and from what is ass
 expressions  operators, calls, f-strings, comprehensions
 statements   assignments, loops, try
 modules      imports, classes, functions
-runtime.mjs  what Python has and JavaScript has not
+runtime.mjs  what Python has and JavaScript lacks
 
 What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
 """
@@ -57,7 +57,7 @@ OMITTED = {
 
 @cache
 def translated() -> dict[str, str]:
-    """Return the JavaScript of all modules, {name: text}: as it was kept, if no source is another since."""
+    """Return the JavaScript of all modules, {name: text}, from the cache if no source has changed."""
     sources = _sources()
     parts = ("types", "program", "inference", "expressions", "statements", "modules")
     own = [_source(__package__, name)[1] for name in parts]

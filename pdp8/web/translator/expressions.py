@@ -300,7 +300,7 @@ class Expressions(Types):
         return f"{self.e(node.value)}.{named(name) if of and of.node is None else RENAMED.get(name, name)}"
 
     def _built_in(self, node: ast.Call, name: str) -> str:
-        """Return a call of those of Python's own functions that JavaScript has a shorter word for."""
+        """Return a call of one of Python's own functions for which JavaScript has a shorter word."""
         kinds = [self.infer(each) for each in node.args]
         match name, node.args:
             case "len", [value]:

@@ -115,7 +115,7 @@ class Program:
         return self.find(self.modules[source], real) if source in self.modules else None
 
     def lineage(self, of: Found) -> Iterator[Found]:
-        """Yield a class, and those of ours that it inherits from."""
+        """Yield a class and its base classes, as far as they are ours."""
         yield of
         for base in of.node.bases:
             if (found := self.find(of.module, leaf(base))) and found.is_class:
