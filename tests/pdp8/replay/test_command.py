@@ -23,6 +23,7 @@ def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -
     assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
+@pytest.mark.slow("an afternoon of each part, 15 s")
 @pytest.mark.parametrize("part", sorted(set(REPLAYED) - {"circle", "ellipse", "die", "drill"}))
 def test_any_other_part(shell: Shell, part: str) -> None:
     """What no other test takes goes the whole way, the page too (the die is the ellipse's program)."""

@@ -59,6 +59,7 @@ def in_folder(folder: Path, *command: str | Path, **given: Any) -> tuple[int, st
     return done.returncode, (done.stdout + done.stderr).decode()
 
 
+@pytest.mark.slow("plays every word without compiled code, 10 s")
 def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> None:
     """Of the vectors of devices too; its module is in the current folder."""
     (tmp_path / "mine.py").write_text("from tests.pdp8.vectors.emulators import ReferenceEmulator as Mine\n")

@@ -111,6 +111,7 @@ def test_what_is_not_as_on_a_tape_is_doubtful_with_the_reason() -> None:
         photograph.read(camera.photograph(bytes([0o205]) * 44, Shot(paper=16, behind=12, noise=0)))
 
 
+@pytest.mark.slow("a photograph of each kind, 10 s")
 @pytest.mark.parametrize("kind", HARDEST)
 def test_no_frame_is_wrong_or_lost_in_silence_even_there(kind: str) -> None:
     shot = {**survey.WITHIN, **survey.BEYOND}[kind]
