@@ -393,7 +393,7 @@ export class Room {
   #work() {
     const { afternoon: { script: { day: { path } } }, record: { afternoon: { wall }, cutter: diameter } } = this.bench;
     const within = bounds(path, diameter);
-    return { diameter, fit: fitted(within), path, wall: wall && new Wall(wall, path.knots, diameter), within };
+    return { diameter, fit: fitted(within), path, wall: wall && new Wall(wall, path.knots, diameter, within, this.fine > 1000 ? 2.6 : 1.5), within };
   }
 
   #mill(c, seconds) {

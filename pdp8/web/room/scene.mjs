@@ -7,7 +7,7 @@ import { drawMill, MILL } from "./mill.mjs";
 import { drawPanel, inPieces, PANEL, WHOLE } from "./panel.mjs";
 import { drawTeletype, TELETYPE } from "./teletype.mjs";
 
-const STILLS = { teletype: [TELETYPE, drawTeletype], panel: [PANEL, drawPanel], mill: [MILL, drawMill] };
+const STILLS = { panel: [PANEL, drawPanel], teletype: [TELETYPE, drawTeletype], mill: [MILL, drawMill] }; // in the order in which they come to light
 const MARGIN = 1.5; // inches about a thing, for its shadow
 const LARGEST = 4096; // pixels of a picture
 const DIM = 0.62; // how dark it is where no light falls
@@ -39,12 +39,17 @@ export class Scene {
     c.clearRect(0, 0, canvas.width, canvas.height);
     let changes = false;
     this.drawn = this.blurred = false;
-    for (const [name, { x, y }] of Object.entries(where)) {
-      const [{ w, h, hangs = 0 }, still] = STILLS[name];
-      const corner = [origin.x + x * scale, origin.y + y * scale];
+    const seen = Object.keys(where).map((name) => {
+      const [{ w, h }] = STILLS[name];
+      const corner = [origin.x + where[name].x * scale, origin.y + where[name].y * scale];
       const [left, top] = camera.moves ? corner : corner.map((at) => (Math.round((at - MARGIN * scale) * ratio) / ratio) + MARGIN * scale);
-      if (left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0) continue;
-      const kept = this.#still(name, still, w, h, camera);
+      return { name, left, top, out: left > this.width || top > this.height || left + w * scale < 0 || top + h * scale < 0 };
+    }).filter(({ out }) => !out);
+    const first = Object.keys(STILLS).find((name) => !this.stills.has(name) && seen.some((each) => each.name === name));
+    if (first) this.#still(first, camera);
+    for (const { name, left, top } of seen.sort((one, other) => Number(lit(one.name)) - Number(lit(other.name)))) { // the dark lies below
+      const [{ w, h, hangs = 0 }] = STILLS[name];
+      const kept = this.#still(name, camera);
       if (!kept) continue;
       const { picture, sharp } = kept;
       c.setTransform(scale * ratio, 0, 0, scale * ratio, left * ratio, top * ratio);
@@ -72,7 +77,8 @@ export class Scene {
   }
 
   /** What does not change of a thing: its picture, with the pixels of an inch; nothing if another was drawn for this picture. */
-  #still(name, still, w, h, camera) {
+  #still(name, camera) {
+    const [{ w, h }, still] = STILLS[name];
     const kept = this.stills.get(name);
     const sharp = Math.min(camera.goal * this.fine, LARGEST / (Math.max(w, h) + 2 * MARGIN));
     if (kept?.sharp === sharp) return kept;

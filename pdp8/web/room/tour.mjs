@@ -6,8 +6,8 @@ import { TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs"
 
 /** Where things stand, in a window that is wider than high, and in one that is higher. */
 const PLACES = {
-  wide: { panel: { x: 24, y: 2.4 }, teletype: { x: 0, y: 0 }, mill: { x: 24, y: 12.05 } },
-  tall: { panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 }, mill: { x: 1.5, y: 26.4 } },
+  wide: { mill: { x: 24, y: 12.05 }, panel: { x: 24, y: 2.4 }, teletype: { x: 0, y: 0 } },
+  tall: { mill: { x: 1.5, y: 26.4 }, panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 } },
 };
 const ALL = { wide: { x: -1.4, y: 1.5, w: 45.8, h: 23.2 }, tall: { x: -0.5, y: -0.6, w: 23, h: 25.6 } };
 const seen = (of, ...boxes) => ({ of, boxes: boxes.map(([x, y, w, h]) => ({ x, y, w, h })) });
@@ -19,12 +19,12 @@ const EVERYTHING = { of: "", boxes: [] };
 const ACTS = [
   [6, 6, "panel teletype mill", [0, EVERYTHING]],
   [13, 5, "teletype", [0, seen("teletype", [0.2, 8.9, 17.4, 7.6], [0.2, 5.4, 10.6, 9.6])], [0.34, seen("teletype", [7.8, 7.6, 7.2, 4.9], [7.9, 6.6, 5.6, 6.2])], [0.62, seen("teletype", [-0.5, -0.2, 23, 24.4])]],
-  [12, 0, "panel", [0, PANEL], [0.3, seen("panel", [0.9, 1.2, 11.6, 7.5], [1.3, 1.2, 10.4, 7.5])], [0.72, PANEL]],
+  [12, 0, "panel", [0, PANEL], [0.3, seen("panel", [0.3, 0.3, 12.4, 8.4], [0.4, 0.3, 11.4, 8.4])], [0.72, PANEL]],
   [8, 3, "panel teletype", [0, seen("teletype", [0.2, 12.4, 8.4, 6.4], [0.4, 11.6, 6.4, 8.4])], [0.5, PANEL]],
   [7, 2, "panel teletype", [0, PANEL], [0.45, EVERYTHING]],
   [17, 8, "panel teletype", [0, seen("teletype", [-0.6, 9.2, 13, 9.2], [0.1, 9, 6.6, 9.8])], [0.48, PANEL], [0.72, EVERYTHING]],
-  [16, 5, "mill", [0, seen("mill", [4.6, 2.6, 9.8, 8], [5, 1.4, 9, 10])], [0.5, seen("mill", [0.4, 0.6, 18.2, 11.2], [3, 0.2, 13, 11.6])]],
-  [11, 0, "mill", [0, seen("mill", [3.4, 2.6, 12.2, 8.6], [4.2, 2, 10.6, 10])], [0.82, EVERYTHING]],
+  [16, 5, "mill", [0, seen("mill", [4.6, 2.6, 9.8, 8], [5, 1.4, 9, 10])], [0.5, seen("mill", [0.4, 0.6, 18.2, 11.2], [4, 0, 11, 12])]],
+  [11, 0, "mill", [0, seen("mill", [3.4, 2.6, 12.2, 8.6], [5.2, 0, 8.6, 12])], [0.82, EVERYTHING]],
 ];
 const HURRIES = [3.2, 2.4]; // how steeply an act hurries that was long at its own pace, or short
 const LONG = 5; // seconds

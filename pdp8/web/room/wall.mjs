@@ -6,15 +6,19 @@ import { carve, face } from "./plate.mjs";
 
 const SEEN = 420; // thousandths that the view is wide in the end
 const ROOM = 9; // inches of the room that it takes then
-const [WIDE, HIGH] = [680, 500]; // thousandths that are drawn
-const SHARP = 2.6; // pixels for a thousandth
+const [WIDE, HIGH] = [900, 680]; // thousandths that are drawn, as far as there is plate: all that is seen
 const SHADOW = [34, -26];
 const [GOES, THERE, LEAVES, BACK] = [0.12, 0.42, 0.84, 0.98]; // parts of the act
 const LINE = "#a3391b";
 
 export class Wall {
-  /** The wall that the record's `wall` is about, left by a cutter of that diameter along `knots`. */
-  constructor({ place: [x, y], normal, off, lines }, knots, diameter) {
+  /** The wall that the record's `wall` is about, left by a cutter of that diameter along `knots` in a plate; `sharp` is how
+   *  many pixels a thousandth has.
+   */
+  constructor({ place: [x, y], normal, off, lines }, knots, diameter, plate, sharp) {
+    const { left, right, bottom, top } = plate;
+    this.bounds = { left: Math.max(left, x - WIDE / 2), right: Math.min(right, x + WIDE / 2), bottom: Math.max(bottom, y - HIGH / 2), top: Math.min(top, y + HIGH / 2) };
+    this.sharp = sharp;
     this.place = { x, y };
     this.normal = normal;
     this.off = off;
@@ -45,12 +49,12 @@ export class Wall {
 
   /** Draw it where places are thousandths, Y up. */
   draw(c, close) {
-    const { place: { x, y } } = this;
+    const { bounds: { left, right, bottom, top } } = this;
     this.picture ??= this.#made();
     c.save();
     c.globalAlpha = Math.max(0, Math.min(1, (close - 0.45) * 4));
     c.scale(1, -1);
-    c.drawImage(this.picture, x - WIDE / 2, -y - HIGH / 2, WIDE, HIGH);
+    c.drawImage(this.picture, left, -top, right - left, top - bottom);
     c.restore();
     const shown = Math.max(0, (close - 0.8) * 5);
     c.save();
@@ -66,28 +70,26 @@ export class Wall {
   }
 
   #made() {
-    const { diameter, knots, place: { x, y } } = this;
-    const [left, bottom] = [x - WIDE / 2, y - HIGH / 2];
-    const bounds = { left, right: left + WIDE, bottom, top: bottom + HIGH };
+    const { bounds, bounds: { left, right, bottom, top }, diameter, knots, sharp } = this;
     const reach = diameter / 2 + SHADOW[0] + 20;
     const path = new Path2D();
     knots.forEach((knot, index) => {
       const before = knots[index - 1];
-      if (!knot.down || Math.max(knot.x, before.x) < left - reach || Math.min(knot.x, before.x) > bounds.right + reach) return;
-      if (Math.max(knot.y, before.y) < bottom - reach || Math.min(knot.y, before.y) > bounds.top + reach) return;
+      if (!knot.down || Math.max(knot.x, before.x) < left - reach || Math.min(knot.x, before.x) > right + reach) return;
+      if (Math.max(knot.y, before.y) < bottom - reach || Math.min(knot.y, before.y) > top + reach) return;
       path.moveTo(before.x, before.y);
       path.lineTo(knot.x + 0.01, knot.y);
     });
     const canvas = (draw) => {
-      const made = new OffscreenCanvas(WIDE * SHARP, HIGH * SHARP);
+      const made = new OffscreenCanvas(Math.round((right - left) * sharp), Math.round((top - bottom) * sharp));
       const c = made.getContext("2d");
-      c.setTransform(SHARP, 0, 0, -SHARP, -left * SHARP, bounds.top * SHARP);
+      c.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
       draw(c);
       return made;
     };
     const groove = canvas((c) => carve(c, path, diameter, 0, SHADOW));
     return canvas((c) => {
-      face(c, bounds, { x: left, y: bounds.top });
+      face(c, bounds, { x: left, y: top });
       c.resetTransform();
       c.drawImage(groove, 0, 0);
     });
