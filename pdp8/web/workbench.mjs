@@ -365,7 +365,7 @@ class Bench {
     this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.editor.run();
     this.editor.enter();
-    find("teletype").scrollIntoView({ block: "nearest" });
+    find("paper").scrollIntoView({ block: "nearest" });
   }
 }
 

@@ -103,6 +103,7 @@ export class Editor {
 
   #show(text) {
     this.area.value = text;
+    this.area.setSelectionRange(0, 0);
     this.area.scrollTop = this.area.scrollLeft = 0;
     find("program-name").value = this.name;
     this.#say("");
