@@ -190,9 +190,7 @@ def test_what_has_a_ring_is_dragged_in_the_drawing(
     at.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     until(page, "new Promise((done) => setTimeout(() => done(true), 400))")  # drawn for the last time
     before = _shown(at)
-    box = hold.bounding_box()
-    assert box
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    x, y = _middle(hold)
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + by[0], y + by[1], steps=4)
@@ -200,6 +198,35 @@ def test_what_has_a_ring_is_dragged_in_the_drawing(
     assert _changes(at, before)
     assert at.locator(f"[name={name}]").input_value() != value
     assert page.evaluate("document.activeElement.name") == name
+
+
+def test_the_ring_of_the_feeds_aims_the_cut(page: Page) -> None:
+    """On the slope the nearest pair of Table 2.4 is 27.9 over 16.0; the ring stays under the pointer."""
+    one = page.locator("#one")
+    one.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    hold = one.locator("[data-hold=pair]")
+    hold.wait_for()
+    page.wait_for_timeout(300)
+    frame = one.locator("svg").bounding_box()
+    assert frame
+    slope = re.findall(r"[\d.]+", one.locator(".intended").get_attribute("d") or "")
+    (ax, ay), (bx, by) = ((frame["x"] + float(x), frame["y"] + float(y)) for x, y in (slope[:2], slope[2:]))
+    x, y = _middle(hold)
+    part = np.hypot(x - ax, y - ay) / np.hypot(bx - ax, by - ay)
+    aim = ax + (bx - ax) * part, ay + (by - ay) * part
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(*aim, steps=4)
+    page.mouse.up()
+    until(page, "document.querySelector('#one output').textContent === '27.9 over 16.0'")
+    page.wait_for_timeout(300)
+    assert np.allclose(_middle(hold), aim, atol=2)
+
+
+def _middle(hold: Locator) -> tuple[float, float]:
+    box = hold.bounding_box()
+    assert box
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 @pytest.mark.parametrize(("waves", "band", "least"), [(1, "70", 20), (18, "31", 1500)])
