@@ -369,9 +369,10 @@ class Bench {
   }
 }
 
-/** The browser has nothing else to do. */
+/** The browser has nothing else to do, or has been busy for a while. */
 function idle() {
-  return new Promise((done) => (globalThis.requestIdleCallback ?? setTimeout)(done));
+  const { requestIdleCallback: ask } = globalThis;
+  return new Promise((done) => (ask ? ask(done, { timeout: 100 }) : setTimeout(done)));
 }
 
 async function start() {

@@ -49,6 +49,23 @@ def test_the_page_opens_in_the_midst_of_the_translation(room: Page) -> None:
     assert not room.evaluate("workbench.room.open")
 
 
+def test_the_desk_comes_where_the_browser_is_never_idle(browser: Browser, file: Path) -> None:
+    """A control that is pressed before the desk is there waits for it."""
+    context = browser.new_context(offline=True, viewport=_HD)
+    page = context.new_page()
+    page.add_init_script(
+        "setInterval(() => { for (const from = performance.now(); performance.now() < from + 30; ); });"
+    )
+    page.goto(file.as_uri())
+    page.evaluate(
+        "() => new Promise((done) => {"
+        " const look = () => window.workbench ? done() : setTimeout(look); look(); })"
+    )
+    assert not page.evaluate("() => { document.getElementById('leave').click(); return workbench.ready; }")
+    until(page, "workbench.ready && !workbench.room.open && location.hash === '#workbench'")
+    context.close()
+
+
 def test_an_afternoons_page_begins_at_its_first_act(browser: Browser, circle_page: Path) -> None:
     """The terminal types and punches frame by frame, ten a second."""
     with visit(
