@@ -51,7 +51,7 @@ def test_the_page_opens_in_the_midst_of_the_translation(room: Page) -> None:
 
 def test_the_desk_comes_where_the_browser_is_never_idle(browser: Browser, file: Path) -> None:
     """A control that is pressed before the desk is there waits for it."""
-    context = browser.new_context(offline=True, viewport=_HD)
+    context = browser.new_context(offline=True)
     page = context.new_page()
     page.add_init_script(
         "setInterval(() => { for (const from = performance.now(); performance.now() < from + 30; ); });"
