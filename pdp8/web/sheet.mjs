@@ -82,7 +82,7 @@ export class Sheet extends Drawing {
       const style = getComputedStyle(canvas);
       this.colours = Object.fromEntries(["sheet", "ink", "soft", "rust"].map((name) => [name, style.getPropertyValue(`--${name}`)]));
     }
-    const ratio = window.devicePixelRatio || 1;
+    const ratio = (window.devicePixelRatio || 1) * (canvas.currentCSSZoom ?? 1);
     const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];
     if (canvas.width !== wide || canvas.height !== tall) Object.assign(canvas, { width: wide, height: tall });
     const context = canvas.getContext("2d", { alpha: false }); // nothing shines through: the browser has less to do

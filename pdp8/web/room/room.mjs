@@ -28,7 +28,7 @@ const EACH = 1 / 32, HURRIED = 1 / 20; // seconds between two steps of the machi
 const HURRY = 20; // times as fast: no event is waited for then
 const LOOKS = 4; // at the lamps in a step
 const SLOW = 1 / 32; // seconds between two pictures that are too many in a hurry
-const COARSE = 0.6; // part of the pixels, across and up, that are drawn then
+const [COARSE, LEAST] = [0.6, 0.75]; // part of the pixels, across and up, that are drawn then; at least so many for one of CSS
 const SAID = 0.12; // seconds in which what is read does not change
 const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
@@ -327,7 +327,8 @@ export class Room {
     const coarse = this.playing && !this.live && this.speed > HURRY && (this.coarse || this.took > SLOW);
     if (coarse === this.coarse) return;
     this.coarse = coarse;
-    this.scene.resize(this.scene.width, this.scene.height, this.scene.fine, coarse ? COARSE : 1);
+    const { fine, height, width } = this.scene;
+    this.scene.resize(width, height, fine, coarse ? Math.max(COARSE, LEAST / fine) : 1);
   }
 
   /** Draw the room; return whether something in it still moves of itself. */
