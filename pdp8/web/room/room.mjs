@@ -328,7 +328,7 @@ export class Room {
     if (coarse === this.coarse) return;
     this.coarse = coarse;
     const { fine, height, width } = this.scene;
-    this.scene.resize(width, height, fine, coarse ? Math.max(COARSE, LEAST / fine) : 1);
+    this.scene.resize(width, height, fine, coarse ? Math.min(1, Math.max(COARSE, LEAST / fine)) : 1);
   }
 
   /** Draw the room; return whether something in it still moves of itself. */

@@ -48,5 +48,5 @@ def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Tab:
     fresh = tmp_path / file.name  # at another path Firefox has nothing kept: no programs, no settings
     fresh.write_bytes(file.read_bytes())
     driver.call("WebDriver:Navigate", url=fresh.as_uri() + DESK)
-    driver.until("!!window.workbench?.ready")
+    driver.until(f"location.href.startsWith({fresh.as_uri()!r}) && window.workbench?.ready")
     return driver
