@@ -47,7 +47,7 @@ class Reading:
         for at in (-number - 1 for number in order if number < 0):
             name, strip = self.strips[at]
             self.strips[at] = name, strip.turned()
-        read = [self.strips[abs(number) - 1][1].frames for number in self.order]
+        read = {abs(number): self.strips[abs(number) - 1][1].frames for number in self.order}
         self._stitched = stitched and len(read) > 1
         tape, self._begins = stitch.join(read) if self._stitched else stitch.one_after_another(read)
         self.seen = bytes(frame.holes for frame, _ in tape)
@@ -55,10 +55,10 @@ class Reading:
         weakest = [(frame.margin, frame.weakest) for frame, _ in tape]
         wrong, by = redundancy.contradict(self.seen, doubtful, weakest)
         for number, mask in wrong.items():
-            frame, at = tape[number]
-            tape[number] = frame._replace(open=mask, why=f"it is against {by}"), at
+            frame, of = tape[number]
+            tape[number] = frame._replace(open=mask, why=f"it is against {by}"), of
         self.proposed, self.proposed_by = redundancy.propose(self.seen, doubtful | wrong)
-        self._tape = [(number, frame, abs(self.order[at])) for number, (frame, at) in enumerate(tape)]
+        self._tape = [(number, *one) for number, one in enumerate(tape)]
 
     @property
     def frames(self) -> list[tuple[int, Frame, str]]:
@@ -102,14 +102,14 @@ class Reading:
 
     def _of_strips(self) -> Iterator[str]:
         """Say where on the tape several strips are, which are left out, and where one leaves its picture."""
-        for at, number in enumerate(self.order):
-            name, strip = self.strips[abs(number) - 1]
-            first, (before, after) = self._begins[at], strip.off
+        for number in map(abs, self.order):
+            name, strip = self.strips[number - 1]
+            first, (before, after) = self._begins[number], strip.off
             last = first + len(strip.frames) - 1
             if len(self.strips) > 1:
                 (start, *_, end) = strip.frames
                 yield (
-                    f"frames {first} to {last}: strip {abs(number)} of {len(self.strips)}, "
+                    f"frames {first} to {last}: strip {number} of {len(self.strips)}, "
                     f"from {start.x}, {start.y} to {end.x}, {end.y} in {name}"
                 )
             if before and not (self._stitched and first):

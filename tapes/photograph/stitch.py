@@ -4,31 +4,36 @@
     b.jpg             |..............|        what both show is compared at every shift of the one
     c.jpg                         |........|
 
-A shift fits if no more than one frame in fifty differs where both are sure, and if the others say enough: a
-frame such as one in 2**n is counts for n bits, blank tape for none. A strip is joined where one shift alone
-fits. So tape that repeats itself is refused, and strips that have nothing but blank tape in common.
+A shift fits if no more than one frame in fifty differs where both are sure. It says as many bits as its
+longest run without such a frame: one that is one in 2**n says n bits; if it is blank or like the one before,
+none. Two strips are joined if that is half as much again as any other run in them, beside each other or each
+beside itself. If strips fit in a second way too, the tape repeats itself, and nothing is joined.
 
 Of a frame that is seen twice, each channel is as it is sure; sure twice and different, it is doubtful.
 """
 
-from collections.abc import Iterator, Sequence
-from itertools import accumulate, permutations
+from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from tapes.errors import TapeError
 from tapes.photograph.pixels import Array
 from tapes.photograph.reader import Frame
 
 _DIFFER = "two pictures of it differ"
-_ENOUGH = 80
+_ENOUGH = 40
 """Bits in what two strips have in common."""
+_CLEAR = 1.5
+"""So many times as much as anything else that is alike in them."""
 _MOST_WRONG = 0.02
-_CLEAR = 2
-"""So many times as much as any other shift says the one that is right."""
-_TWICE = "the photographs overlap in more than one way: the tape repeats itself there"
-_APART = "not all photographs overlap: 30 frames, sure and neither blank nor alike, have to be on two of them"
+_TWICE = "the tape repeats itself where they overlap: let them overlap by more"
+_APART = "two have to have 30 frames in common that are sure, not blank, and unlike the one before"
+
+Strips = Mapping[int, Sequence[Frame]]
+"""The frames of strips, by the strips' numbers."""
 
 
 class Piece(NamedTuple):
@@ -40,71 +45,102 @@ class Piece(NamedTuple):
     begins: dict[int, int]
 
 
-def one_after_another(strips: Sequence[Sequence[Frame]]) -> Piece:
+def one_after_another(strips: Strips) -> Piece:
     """Return the tape of which the strips are pieces that were cut apart."""
-    begins = dict(enumerate(accumulate(map(len, strips), initial=0)))
-    return Piece([(frame, at) for at, strip in enumerate(strips) for frame in strip], begins)
+    piece = Piece([], {})
+    for number, strip in strips.items():
+        piece.begins[number] = len(piece.frames)
+        piece.frames.extend((frame, number) for frame in strip)
+    return piece
 
 
-def join(strips: Sequence[Sequence[Frame]]) -> Piece:
+def join(strips: Strips) -> Piece:
     """Return the tape that the strips show together. Raises TapeError if there is not one."""
-    bits = _bits([frame.holes for strip in strips for frame in strip if not frame.doubtful])
-    pieces = [Piece([(frame, at) for frame in strip], {at: 0}) for at, strip in enumerate(strips)]
-    while len(pieces) > 1:
-        joints = [
-            (said, before, after, shift)
-            for before, after in permutations(range(len(pieces)), 2)
-            for said, shift in _shifts(pieces[before], pieces[after], bits)
-            if shift or before < after
-        ]
-        clear = [joint for joint in joints if _is_clear(joint, joints)]
-        if not clear:
-            raise TapeError(_TWICE if joints else _APART)
-        _, before, after, shift = max(clear)
-        joined = _joined(pieces[before], pieces[after], shift)
-        pieces = [joined, *(piece for at, piece in enumerate(pieces) if at not in (before, after))]
-    return pieces[0]
+    begins = _begins(strips)
+    frames: list[tuple[Frame, int]] = []
+    for begin, number in sorted((begin, number) for number, begin in begins.items()):
+        for at, frame in enumerate(strips[number], begin):
+            here = (frame, number)
+            frames[at : at + 1] = [_fused(frames[at], here) if at < len(frames) else here]
+    return Piece(frames, begins)
 
 
-def _bits(holes: Sequence[int]) -> Array:
-    """Return how much each frame says, by how rare it is."""
-    count = np.bincount(np.array(holes, dtype=int), minlength=256)
-    bits = np.log2(max(1, len(holes)) / np.maximum(count, 1))
+def _begins(strips: Strips) -> dict[int, int]:
+    """Return where on the tape each strip begins."""
+    seen = _seen(strips)
+    repeats = {number: _match(strip, strip).other for number, strip in seen.items()}
+    matches = {(one, other): _match(seen[one], seen[other]) for one, other in combinations(seen, 2)}
+    whole = {number: {number: 0} for number in strips}
+    for (one, other), match in matches.items():
+        if match.shifts and match.said >= _CLEAR * max(match.other, repeats[one], repeats[other]):
+            piece, more = whole[one], whole[other]
+            off = piece[one] + match.shifts[0] - more[other]
+            piece.update({number: begin + off for number, begin in more.items() if number not in piece})
+            whole.update(dict.fromkeys(more, piece))
+    for (one, other), match in matches.items():
+        placed = [whole[other][other] - whole[one][one]] if whole[one] is whole[other] else []
+        if not {*match.shifts} <= {*placed} or not all(map(match.fits, placed)):
+            raise TapeError(f"strips {one} and {other} cannot be joined: {_TWICE}")
+    (begins, *apart) = {id(piece): piece for piece in whole.values()}.values()
+    if apart:
+        said = "; ".join(", ".join(map(str, sorted(piece))) for piece in (begins, *apart))
+        raise TapeError(f"strips {said} cannot be joined: {_APART}")
+    first = min(begins.values())
+    return {number: begin - first for number, begin in begins.items()}
+
+
+class _Seen(NamedTuple):
+    """The frames of a strip: their holes, channels in doubt, and how many bits each says."""
+
+    holes: Array
+    open: Array
+    bits: Array
+
+
+def _seen(strips: Strips) -> dict[int, _Seen]:
+    sure = [frame.holes for strip in strips.values() for frame in strip if not frame.doubtful]
+    bits = np.log2(max(1, len(sure)) / np.bincount(np.array(sure, dtype=int), minlength=256).clip(1))
     bits[0] = 0
-    return np.asarray(bits)
+    found = {}
+    for number, strip in strips.items():
+        holes, open = np.array([(frame.holes, frame.open) for frame in strip]).T
+        found[number] = _Seen(holes, open, bits[holes] * np.append(True, holes[1:] != holes[:-1]))
+    return found
 
 
-_Joint = tuple[float, int, int, int]
-"""How many bits two pieces have in common, which is before and which after, and by how many frames."""
+class _Match(NamedTuple):
+    """How many bits two strips say at the likeliest shift of those that fit, and at any other; which say
+    enough; and which shifts fit, from the `longest` on.
+    """
+
+    said: float
+    other: float
+    shifts: list[int]
+    longest: int
+    fitting: Array
+
+    def fits(self, shift: int) -> bool:
+        """Tell whether the other strip may begin `shift` frames after the one."""
+        at = self.longest - shift
+        return not 0 <= at < len(self.fitting) or bool(self.fitting[at])
 
 
-def _is_clear(joint: _Joint, joints: Sequence[_Joint]) -> bool:
-    """Tell whether no other shift of the same two pieces says half as much."""
-    said, before, after, _ = joint
-    others = [other for other in joints if {*other[1:3]} == {before, after} and other != joint]
-    return all(said >= _CLEAR * other[0] for other in others)
-
-
-def _shifts(before: Piece, after: Piece, bits: Array) -> Iterator[tuple[float, int]]:
-    """Yield the bits and the shift of each way in which one piece can begin within another."""
-    (holes, open), (others, others_open) = (
-        np.array([(frame.holes, frame.open) for frame, _ in piece.frames]).T for piece in (before, after)
+def _match(one: _Seen, other: _Seen) -> _Match:
+    longest = len(one.holes) - 1
+    holes, open = (
+        sliding_window_view(np.pad(of, longest, constant_values=filled), longest + 1)
+        for of, filled in ((other.holes, 0), (other.open, 0o377))
     )
-    for shift in range(len(holes)):
-        length = min(len(holes) - shift, len(others))
-        one, other = holes[shift : shift + length], others[:length]
-        sure = 0o377 & ~(open[shift : shift + length] | others_open[:length])
-        agree, wrong = (sure == 0o377) & (one == other), ((one ^ other) & sure) != 0
-        said = float(bits[one[agree]].sum())
-        if said >= _ENOUGH and wrong.sum() <= _MOST_WRONG * (agree & (one != 0)).sum():
-            yield said, shift
-
-
-def _joined(before: Piece, after: Piece, shift: int) -> Piece:
-    frames = before.frames + after.frames[max(0, len(before.frames) - shift) :]
-    for at, pair in enumerate(after.frames[: len(before.frames) - shift], shift):
-        frames[at] = _fused(frames[at], pair)
-    return Piece(frames, before.begins | {at: begin + shift for at, begin in after.begins.items()})
+    sure = 0o377 & ~(one.open | open)
+    differ = (one.holes ^ holes) & sure != 0
+    alike = (sure == 0o377) & ~differ
+    bits = (alike * one.bits).cumsum(axis=1)
+    runs = (bits - np.maximum.accumulate(differ * bits, axis=1)).max(axis=1)
+    fitting = differ.sum(axis=1) <= _MOST_WRONG * (alike & (holes != 0)).sum(axis=1)
+    likely = runs * fitting
+    at = int(likely.argmax())
+    shifts = (longest - np.nonzero(likely >= _ENOUGH)[0]).tolist()
+    return _Match(float(likely[at]), float(np.delete(runs, at).max(initial=0)), shifts, longest, fitting)
 
 
 def _fused(one: tuple[Frame, int], other: tuple[Frame, int]) -> tuple[Frame, int]:

@@ -1,6 +1,7 @@
 """Parts of a tape, with what a photograph does to them, become that tape, or are refused."""
 
 import random
+from itertools import pairwise
 
 import pytest
 
@@ -16,8 +17,8 @@ def seen(tape: bytes) -> list[Frame]:
     return [Frame(holes, 0, "", ((at, 0),) * 9) for at, holes in enumerate(tape)]
 
 
-def parts(tape: bytes, *spans: tuple[int, int]) -> list[list[Frame]]:
-    return [seen(tape[begin:end]) for begin, end in spans]
+def parts(tape: bytes, *spans: tuple[int, int]) -> dict[int, list[Frame]]:
+    return {number: seen(tape[begin:end]) for number, (begin, end) in enumerate(spans, 1)}
 
 
 def holes(piece: stitch.Piece) -> bytes:
@@ -37,16 +38,13 @@ def test_parts_in_any_order_become_the_tape(name: str) -> None:
         spans = [(at, at + 100) for at in range(0, 161, 40)]
         strips = parts(tape, *spans)
         wrong = set()
-        for strip, (begin, _) in zip(strips, spans, strict=True):
+        for strip, (begin, _) in zip(strips.values(), spans, strict=True):
             for at in draw.sample(range(len(strip)), 8):
                 mask = draw.choice([0o377, 1 << draw.randrange(8)])
                 strip[at] = strip[at]._replace(holes=strip[at].holes ^ mask, open=mask, why="dirt")
                 wrong.add(begin + at)
-        order = draw.sample(range(len(strips)), len(strips))
-        found = stitch.join([strips[at] for at in order])
-        assert {order[at]: begin for at, begin in found.begins.items()} == {
-            at: begin for at, (begin, _) in enumerate(spans)
-        }
+        found = stitch.join({number: strips[number] for number in draw.sample([*strips], len(strips))})
+        assert found.begins == {number: begin for number, (begin, _) in enumerate(spans, 1)}
         assert len(found.frames) == len(tape)
         for at, (frame, _) in enumerate(found.frames):
             assert (frame.holes ^ tape[at]) & ~frame.open == 0, "wrong and sure"
@@ -54,11 +52,11 @@ def test_parts_in_any_order_become_the_tape(name: str) -> None:
 
 
 def test_what_is_sure_in_one_picture_is_sure_and_what_differs_is_doubtful() -> None:
-    one, two = parts(TAPES["circle.eia"][1:101], (0, 100), (0, 100))
+    one, two = parts(TAPES["circle.eia"][1:101], (0, 100), (0, 100)).values()
     doubtful = one[7]._replace(holes=one[7].holes ^ 0o003, open=0o003, why="dirt")
     one[7], two[8] = doubtful, two[8]._replace(holes=two[8].holes ^ 0o010)
     two[9], one[9] = (frame._replace(open=mask, why="dirt") for frame, mask in ((two[9], 5), (one[9], 6)))
-    found = [frame for frame, _ in stitch.join([one, two]).frames]
+    found = [frame for frame, _ in stitch.join({1: one, 2: two}).frames]
     assert bytes(frame.holes for frame in found[:8]) == TAPES["circle.eia"][1:9]
     assert (found[7].open, found[8].open, found[9].open) == (0, 0o010, 4)
     assert (found[8].why, found[9].why, found[7].why) == ("two pictures of it differ", "dirt", "")
@@ -67,17 +65,22 @@ def test_what_is_sure_in_one_picture_is_sure_and_what_differs_is_doubtful() -> N
 @pytest.mark.parametrize(
     ("strips", "why"),
     [
-        (parts(TAPES["circle.asc"], (0, 100), (100, 200)), "not all photographs overlap"),
-        (parts(TAPES["circle.asc"], (0, 100), (95, 200)), "not all photographs overlap"),
         (
-            parts(bytes(60) + TAPES["eia.bin"][65:] + bytes(60), (0, 50), (30, 80)),
-            "not all photographs overlap",
+            parts(TAPES["circle.asc"], (0, 100), (100, 200)),
+            "strips 1; 2 cannot be joined: two have to have 30",
         ),
-        (parts(bytes(range(1, 17)) * 20, (0, 100), (70, 170)), "overlap in more than one way"),
-        (parts(TAPES["circle.asc"], (0, 100), (70, 170), (300, 400)), "not all photographs overlap"),
+        (parts(TAPES["circle.asc"], (0, 100), (92, 200)), "two have to have 30 frames in common"),
+        (
+            parts(b"".join(bytes(60) + TAPES["eia.bin"][65:125] for _ in "12"), (0, 60), (59, 160)),
+            "30 frames",
+        ),
+        (parts(b"\200" * 99 + TAPES["eia.bin"][65:300], (0, 60), (30, 140)), "30 frames"),
+        (parts(bytes(range(1, 17)) * 20, (0, 100), (70, 170)), "the tape repeats itself"),
+        (parts(TAPES["circle.asc"], (0, 100), (300, 400), (70, 170)), "strips 1, 3; 2 cannot be joined"),
+        (parts(TAPES["circle.asc"][:90] * 2, (0, 60), (20, 130), (110, 180)), "the tape repeats itself"),
     ],
 )
-def test_what_is_not_clear_is_refused(strips: list[list[Frame]], why: str) -> None:
+def test_what_is_not_clear_is_refused(strips: dict[int, list[Frame]], why: str) -> None:
     with pytest.raises(TapeError, match=why):
         stitch.join(strips)
 
@@ -100,8 +103,64 @@ def test_no_part_of_a_regular_tape_is_put_where_it_is_not() -> None:
     assert joined > 50
 
 
+def says(tape: bytes) -> int:
+    """Return how many frames are neither blank nor like the one before."""
+    return sum(frame not in (0, before) for before, frame in pairwise(b"\0" + tape))
+
+
+def long_tape(seed: int) -> tuple[bytes, list[tuple[int, int]]]:
+    """Return a tape, and five parts of it; each has 30 frames that say something in common with the next."""
+    draw = random.Random(seed)
+    name = [*TAPES, *TAPES, "any", "any", "any", "some"][seed % 10]
+    tape = survey.some_tape(seed, 1000) if name == "some" else draw.randbytes(1000)
+    if name in TAPES:
+        start = draw.randrange(1, len(TAPES[name]) - 360)
+        tape = TAPES[name][start:]
+    spans = [(0, next(at for at in range(len(tape)) if says(tape[:at]) == 50))]
+    while len(spans) < 5:
+        end = spans[-1][1]
+        begin = max(at for at in range(end) if says(tape[at:end]) == 30)
+        spans.append((begin, end + draw.randrange(22, 30)))
+    return tape[: spans[-1][1]], spans
+
+
+def photographed(tape: bytes, span: tuple[int, int], seed: int) -> list[Frame]:
+    """Return what is read of a photograph of a part of the tape, which goes on beyond the picture."""
+    draw = random.Random(seed)
+    shot = Shot(
+        draw.uniform(8, 9), draw.uniform(-3, 3), draw.uniform(0, 0.06), fall=0.3, noise=4, jpeg=70, seed=seed
+    )
+    first, last = max(0, span[0] - 3), min(len(tape), span[1] + 3)
+    light, places = camera.picture(tape[first:last], shot), camera.places(last - first, shot)[:, :, 0]
+    left = int(places[span[0] - first].min() - shot.row / 2) if span[0] else 0
+    right = int(places[span[1] - first - 1].max() + shot.row / 2) if span[1] < len(tape) else light.shape[1]
+    (strip,) = photograph.strips(camera.develop(light[:, left:right], shot))
+    return strip.frames
+
+
+@pytest.mark.slow("250 photographs, two minutes")
+@pytest.mark.parametrize("seed", range(50))
+def test_photographs_of_a_long_tape_are_stitched(seed: int) -> None:
+    """Without the third, or with three frames of it in common with the second, they are refused."""
+    tape, spans = long_tape(seed)
+    strips = {number: photographed(tape, span, 100 * seed + number) for number, span in enumerate(spans, 1)}
+    order = random.Random(seed).sample([*strips], 5)
+    found = stitch.join({number: strips[number] for number in order})
+    assert [
+        number
+        for number, (frame, _) in enumerate(found.frames)
+        if frame.holes != tape[number] and not frame.doubtful
+    ] == []
+    assert len(found.frames) == len(tape)
+    if spans[3][0] >= spans[1][1]:
+        short = strips | {3: strips[3][spans[1][1] - spans[2][0] - 3 :]}
+        for less in (short, {number: strips[number] for number in order if number != 3}):
+            with pytest.raises(TapeError, match="cannot be joined: two have to have 30 frames in common"):
+                stitch.join(less)
+
+
 @pytest.mark.slow("three photographs, ten seconds")
-def test_photographs_of_a_long_tape_are_stitched() -> None:
+def test_the_strips_of_a_stitched_tape_are_told() -> None:
     tape = survey.some_tape(5, 150)
     picture = camera.picture(tape, Shot(angle=2))
     wide = picture.shape[1]
