@@ -24,6 +24,8 @@ _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
 _ASTRAY = 4
 """Samples from its place: nearer, a hole is looked for."""
+_MIDDLE = 0.1
+"""Pitches over which a hole is smoothed to find its middle: what is seen through it then moves it little."""
 _FAINT = 0.02
 """What places count that only hold the sheet where there are no holes."""
 
@@ -100,10 +102,10 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
     u, v = np.meshgrid(np.arange(sheet.length, dtype=float), np.array(tracks, dtype=float), indexing="ij")
     near = np.arange(-_ASTRAY, _ASTRAY + 1)
     x, y = (axis.astype(int) for axis in flat.at(u, v))
-    patch = spots[y[..., None, None] + near[:, None], x[..., None, None] + near]
-    depth = patch.reshape(*u.shape, -1)
-    deep = depth.max(axis=2)
-    down, aside = np.unravel_index(depth.argmax(axis=2), patch.shape[2:])
+    around = y[..., None, None] + near[:, None], x[..., None, None] + near
+    deep = spots[around].max(axis=(2, 3))
+    patch = cv2.GaussianBlur(spots, (0, 0), _MIDDLE * SAMPLES)[around]
+    down, aside = np.unravel_index(patch.reshape(*u.shape, -1).argmax(axis=2), patch.shape[2:])
     inside = np.maximum(abs(near[down]), abs(near[aside])) < _ASTRAY
     limit = 0.6 * np.median(deep[:, tracks.index(0)])
     seen = inside & (deep > limit)

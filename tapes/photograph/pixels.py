@@ -23,12 +23,20 @@ _FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
 _NONE = "no picture that can be read: PNG, JPEG or TIFF is wanted"
 
 
-def light(picture: bytes) -> Array:
-    """Return the picture, PNG, JPEG or TIFF, in the colour in which its parts differ most; 8 bits a pixel.
+def lights(picture: bytes) -> list[Array]:
+    """Return the picture, PNG, JPEG or TIFF, in each colour, 8 bits a pixel: that first in which its parts
+    differ most; of colours that are the same, one.
 
     Raises TapeError where it is none, or has more than LARGEST pixels by its header.
     """
-    return max(cv2.split(_decoded(picture)), key=lambda colour: float(cv2.meanStdDev(colour)[1].item()))
+    colours = sorted(
+        cv2.split(_decoded(picture)), key=lambda colour: -float(cv2.meanStdDev(colour)[1].item())
+    )
+    return [
+        colour
+        for at, colour in enumerate(colours)
+        if not any(np.array_equal(colour, one) for one in colours[:at])
+    ]
 
 
 def shown(picture: bytes) -> bytes:

@@ -23,7 +23,7 @@ from tapes.photograph import cells, pixels, sprockets
 from tapes.photograph.flat import SAMPLES, flatten
 from tapes.photograph.paper import Found, find
 from tapes.photograph.pixels import Array
-from tapes.photograph.sheet import Sheet
+from tapes.photograph.sheet import FIVE, THREE, Sheet
 
 FEWEST_PIXELS = 5.2
 """From row to row and from track to track."""
@@ -106,13 +106,13 @@ def strips(picture: bytes, underside: bool = False) -> list[Strip]:
     They are read line after line, from top to bottom, or from left to right if most of them are upright; on
     one line as they lie, each after the one before. Raises TapeError where there is no picture or no tape.
     """
-    light = pixels.light(picture)
-    found, why = _strips(light)
-    if not found:
-        found, _ = _strips(255 - light)
-    if not found:
+    light, *others = pixels.lights(picture)
+    read, why = _strips(light)
+    for other in (*[255 - light] * (_sure(read) == 0), *others):
+        if not read or any(strip.why for strip in read):
+            read = max(read, _strips(other)[0], key=lambda strips: (_sure(strips), len(strips)))
+    if not read:
         raise TapeError(_NO_TAPE + why)
-    read = [_strip(pictures, tape) for pictures, tape in found]
     ordered = _ordered([strip for strip in read if strip.frames], underside)
     ordered += (strip for strip in read if not strip.frames)
     return [strip.turned() for strip in ordered] if underside else ordered
@@ -140,21 +140,34 @@ def _ordered(strips: list[Strip], underside: bool) -> list[Strip]:
     return [strips[at] for line in lines for at in line]
 
 
-def _strips(light: Array) -> tuple[list[tuple[sprockets.Sizes, Found]], str]:
-    """Return the tapes in which holes are dark, and if there are none, why the likeliest row is not one."""
+def _sure(strips: list[Strip]) -> int:
+    """Return how many frames are sure in strips that can be read."""
+    return sum(not frame.doubtful for strip in strips if not strip.why for frame in strip.frames)
+
+
+def _strips(light: Array) -> tuple[list[Strip], str]:
+    """Return the strips in which holes are dark, and if there are none, why the likeliest row is not one."""
     pictures = sprockets.sizes(light)
-    found: list[tuple[sprockets.Sizes, Found]] = []
+    found: list[tuple[Sheet, Array, Strip]] = []
     why: list[str] = []
     for row in sprockets.rows(pictures):
         if len(why) >= _FAILURES:
             break
-        if any(tape.sheet.covers(row.places) for _, tape in found):
+        if any(sheet.covers(row.places) for sheet, _, strip in found if strip.frames):
             continue
         try:
-            found.append((pictures, find(pictures, row)))
+            tape = find(pictures, row)
         except TapeError as error:
             why.append(str(error))
-    return found, why[0] if why else "no row of small round holes was found"
+            continue
+        found.append((tape.sheet, row.places, _strip(pictures, tape)))
+        why += [strip.why for _, _, strip in found[-1:] if not strip.frames]
+    said = why[0] if why else "no row of small round holes was found"
+    kept: list[tuple[Sheet, Strip]] = []
+    for sheet, places, strip in sorted(found, key=lambda one: not one[2].frames):
+        if strip.frames or not any(other.covers(places) for other, _ in kept):
+            kept.append((sheet, strip))
+    return [strip for _, strip in kept], said
 
 
 def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
@@ -186,14 +199,17 @@ def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
         )
         for at in np.nonzero(on_paper)[0]
     ]
-    return Strip(frames, _leaves(tape.sheet, pictures, on_paper), too_doubtful(frames))
+    edges = pictures.show(tape.sheet.place(u[on_paper], np.array([-THREE, FIVE])))
+    within = [frame for frame, shown in zip(frames, edges.tolist(), strict=True) if all(shown)]
+    why = too_doubtful(within if len(within) >= sprockets.FEWEST else frames)
+    return Strip(frames, _leaves(tape.sheet, pictures, on_paper), why)
 
 
 def _leaves(sheet: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> tuple[bool, bool]:
     """Return whether the picture has no room for another row before the first one, and after the last."""
     rows = np.nonzero(on_paper)[0]
-    beyond = sheet.place(np.array([rows[0] - 1.25, rows[-1] + 1.25]), np.zeros(2))
-    before, after = (~pictures.show(beyond)).tolist()
+    beyond = sheet.place(np.array([[rows[0] - 1.25], [rows[-1] + 1.25]]), np.array([-THREE, 0, FIVE]))
+    before, after = (not pictures.show(places).all() for places in beyond)
     return before, after
 
 

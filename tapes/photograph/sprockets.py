@@ -209,14 +209,14 @@ _HOLE = _kernel()
 
 
 def rows(pictures: Sizes) -> list[Row]:
-    """Return the rows of holes in a picture, the longest first; none twice."""
+    """Return the rows of holes in a picture, none twice: first those of most holes, less those not seen."""
     found: list[Row] = []
     left = np.array(starts(pictures)).reshape(-1, FEWEST, 2)
     while len(left) and len(found) < _MOST_ROWS:
         row = follow(pictures, left[0])
         found.append(row)
         left = left[1:][_apart(row, left[1:, FEWEST // 2])]
-    return sorted(found, key=lambda row: -int(row.seen.sum()))
+    return sorted(found, key=lambda row: int((~row.seen).sum()) - int(row.seen.sum()))
 
 
 def _apart(row: Row, places: Array) -> Array:

@@ -75,7 +75,7 @@ SCENES: dict[str, tuple[int, Callable[[ImageDraw.ImageDraw], None], str]] = {
     "text with dots": (235, _text, _EDGES),
     "film": (215, _film, _EDGES),
     "a desk": (150, _desk, _EDGES),
-    "a strip of a perforated sheet": (60, _perforated, _EDGES),
+    "a strip of a perforated sheet": (60, _perforated, "the holes are all of one size"),
     "five-channel tape": (60, _five_channels, "a five-channel tape: tape of eight channels alone is read"),
 }
 """By each name how light its ground is, what is drawn on it, and why it is refused."""

@@ -43,10 +43,10 @@ def header(kind: str, wide: int, high: int) -> bytes:
 )
 def test_a_picture_of_too_many_pixels_is_not_decoded(kind: str, wide: int, high: int) -> None:
     with pytest.raises(TapeError, match=f"{wide:,} by {high:,} pixels: a picture may have 64,000,000"):
-        pixels.light(header(kind, wide, high))
+        pixels.lights(header(kind, wide, high))
     for size in ((0, 7), (7, 0), (8000, 8000)):
         with pytest.raises(TapeError, match=NONE):
-            pixels.light(header(kind, *size))
+            pixels.lights(header(kind, *size))
 
 
 def file(light: pixels.Array, kind: str) -> bytes:
@@ -64,13 +64,13 @@ STRIPES[::2] += np.array([20, 0, 80], np.uint8)  # red, green, blue
 )
 def test_what_is_no_picture_is_refused(content: bytes) -> None:
     with pytest.raises(TapeError, match=NONE):
-        pixels.light(content)
+        pixels.lights(content)
 
 
 @pytest.mark.parametrize("kind", ["PNG", "TIFF"])
 def test_light_is_the_colour_in_which_most_differs(kind: str) -> None:
     for order in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        assert (pixels.light(file(STRIPES[:, :, order], kind)) == STRIPES[:, :, 2]).all()
+        assert (pixels.lights(file(STRIPES[:, :, order], kind))[0] == STRIPES[:, :, 2]).all()
 
 
 def test_what_a_page_shows_is_a_jpeg_of_quality_85() -> None:

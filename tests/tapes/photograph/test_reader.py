@@ -69,7 +69,7 @@ def test_where_the_holes_are_is_known_to_a_small_part_of_a_row(
     kind: str, seed: int, mean: float, most: float
 ) -> None:
     tape, shot = survey.some_tape(seed, PART), survey.varied(survey.WITHIN[kind], seed)
-    pictures = sprockets.sizes(pixels.light(camera.photograph(tape, shot)))
+    pictures = sprockets.sizes(pixels.lights(camera.photograph(tape, shot))[0])
     found = paper.find(pictures, sprockets.rows(pictures)[0])
     first = (len(found.seen) - PART) // 2
     places = found.sheet.place(

@@ -7,10 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import cv2
+import numpy as np
 import pytest
 
 from tapes import photograph
-from tapes.photograph import Strip, pixels
+from tapes.photograph import Strip
 from tapes.photograph.pixels import Array
 
 REAL = Path(__file__).parent / "real"
@@ -21,9 +22,12 @@ def octal(frames: str) -> bytes:
 
 
 _INVADER = "160 030 175 266 274 074 274 266 175 030 160"
+_SECOND = "036 270 175 066 074 074 074 066 175 270 036"
+_SQUIDS = "230 134 266 137 137 266 134 230", "130 274 026 077 077 026 274 130"
+_OCTOPI = "234 236 136 166 067 137 137 067 166 136 236 234", "034 136 376 266 067 137 137 067 266 376 136 034"
 STRIPS = {
     "tape_invaders": [
-        octal(f"{_INVADER} 0 0 0 036 270 175 066 074 074 074 066 175 270 036 0 0 0 {_INVADER}"),
+        octal(f"{_INVADER} 0 0 0 {_SECOND} 0 0 0 {_INVADER}"),
     ],
     "tape_invaders2": [
         octal("040 222 104 050 201 102 000 102 201 050 104 222 020"),
@@ -36,10 +40,20 @@ STRIPS = {
 }
 LENGTHS = {"tape_invaders": [44], "tape_invaders2": [50, 58, 64]}
 """Sprocket holes that are whole or cut by the edge of the picture by less than half."""
+BOOK = [
+    octal(" 0 0 0 0 0 0 ".join((*_SQUIDS, *_SQUIDS, _SQUIDS[0]))),
+    octal(" 0 0 0 ".join((_INVADER, _SECOND, _INVADER, _SECOND, _INVADER))),
+    octal(" 0 0 ".join((*_OCTOPI, *_OCTOPI, _OCTOPI[0]))),
+]
 
 
 def holes(strip: Strip) -> bytes:
     return bytes(frame.holes for frame in strip.frames)
+
+
+def picture(name: str) -> Array:
+    content = np.frombuffer((REAL / f"{name}.jpg").read_bytes(), np.uint8)
+    return np.asarray(cv2.imdecode(content, cv2.IMREAD_COLOR))
 
 
 def outside(strip: Strip, light: Array) -> list[tuple[int, int]]:
@@ -53,13 +67,12 @@ def test_what_is_read_is_what_the_eye_sees(name: str) -> None:
     found = photograph.strips(content)
     assert [holes(strip).strip(b"\0") for strip in found] == STRIPS[name]
     assert [len(strip.frames) for strip in found] == LENGTHS[name]
-    light = pixels.light(content)
-    assert [place for strip in found for place in outside(strip, light)] == []
+    assert [place for strip in found for place in outside(strip, picture(name))] == []
     assert [strip.off for strip in found] == {
         "tape_invaders": [(True, True)],
         "tape_invaders2": [(False, False), (True, False), (True, True)],
     }[name]
-    assert sum(frame.doubtful for strip in found for frame in strip.frames) <= 4
+    assert sum(frame.doubtful for strip in found for frame in strip.frames) <= 5
 
 
 WAYS: dict[str, Callable[[Array], Array]] = {
@@ -73,26 +86,45 @@ WAYS: dict[str, Callable[[Array], Array]] = {
 }
 
 
+def is_wrong(strip: Strip, transcribed: bytes) -> bool:
+    """Tell whether a sure frame is not as it was transcribed, wherever on that tape the strip begins."""
+    sure = [frame.holes if not frame.doubtful else -1 for frame in strip.frames]
+    known = [0] * len(sure) + [*transcribed] + [0] * len(sure)
+    return not any(
+        all(one in (-1, other) for one, other in zip(sure, known[at:], strict=False))
+        for at in range(len(known) - len(sure) + 1)
+    )
+
+
+def read(name: str, way: str) -> list[Strip]:
+    """Return the strips of the picture made so, in the order of the picture as it was; none is outside it."""
+    light = WAYS[way](picture(name))
+    quality = 30 if way == "poor JPEG" else 92
+    content = bytes(cv2.imencode(".jpg", light, [cv2.IMWRITE_JPEG_QUALITY, quality])[1])
+    found = photograph.strips(content, underside=way == "mirrored")
+    assert [place for strip in found for place in outside(strip, light)] == []
+    return found[::-1] if way.startswith("turned") else found  # what was the uppermost is the lowest now
+
+
 @pytest.mark.slow("fourteen photographs, half a minute")
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", STRIPS)
 def test_no_frame_is_wrong_and_sure_however_the_picture_is_spoilt(name: str, way: str) -> None:
-    light = WAYS[way](pixels.light((REAL / f"{name}.jpg").read_bytes()))
-    quality = 30 if way == "poor JPEG" else 92
-    content = bytes(cv2.imencode(".jpg", light, [cv2.IMWRITE_JPEG_QUALITY, quality])[1])
-    found = photograph.strips(content, underside=way == "mirrored")
-    if way.startswith("turned"):
-        found = found[::-1]  # what was the uppermost is the lowest now, or the rightmost
-    assert [place for strip in found for place in outside(strip, light)] == []
+    found = read(name, way)
     for strip, transcribed in zip(found, STRIPS[name], strict=True):
-        assert not strip.why
-        sure = [frame.holes if not frame.doubtful else -1 for frame in strip.frames]
-        known = [0] * len(sure) + [*transcribed] + [0] * len(sure)
-        shifts = range(len(known) - len(sure) + 1)
-        right = [
-            at
-            for at in shifts
-            if all(one in (-1, other) for one, other in zip(sure, known[at:], strict=False))
-        ]
-        assert right, f"wrong and sure: {holes(strip).hex(' ')}"
+        assert (strip.why, is_wrong(strip, transcribed)) == ("", False)
     assert sum(frame.doubtful for strip in found for frame in strip.frames) <= 6
+
+
+@pytest.mark.slow("six photographs, each in all colours, half a minute")
+@pytest.mark.parametrize("way", [way for way in WAYS if way != "half as large"])
+def test_tape_over_a_coloured_book_is_read_in_the_colour_in_which_its_holes_are_dark(way: str) -> None:
+    """In blue, where most differs, the cover is brighter than the paper. Beneath the third strip it ends.
+
+    The picture is half as large already.
+    """
+    *above, lowest = read("tape_book1", way)
+    for strip, transcribed in zip(above, BOOK, strict=False):
+        assert (len(above), strip.why, is_wrong(strip, transcribed)) == (2, "", False)
+        assert sum(frame.doubtful for frame in strip.frames) <= 12
+    assert not is_wrong(lowest, BOOK[2])
