@@ -62,6 +62,19 @@ def test_what_is_sure_in_one_picture_is_sure_and_what_differs_is_doubtful() -> N
     assert (found[8].why, found[9].why, found[7].why) == ("two pictures of it differ", "dirt", "")
 
 
+ANY = random.Random(1).randbytes(200)
+BIN = TAPES["eia.bin"][65:320]
+
+
+def test_strips_that_differ_where_a_third_puts_them_are_refused() -> None:
+    strips = parts(ANY, (0, 100), (60, 160), (90, 190))
+    assert holes(stitch.join(strips)) == ANY[:190]
+    strips[2][30:40] = [frame._replace(open=0o377, why="dirt") for frame in strips[2][30:40]]
+    strips[3][:10] = [frame._replace(holes=frame.holes ^ 1) for frame in strips[3][:10]]
+    with pytest.raises(TapeError, match="strips 1 and 3 cannot be joined"):
+        stitch.join(strips)
+
+
 @pytest.mark.parametrize(
     ("strips", "why"),
     [
@@ -77,6 +90,9 @@ def test_what_is_sure_in_one_picture_is_sure_and_what_differs_is_doubtful() -> N
         (parts(b"\200" * 99 + TAPES["eia.bin"][65:300], (0, 60), (30, 140)), "30 frames"),
         (parts(bytes(range(1, 17)) * 20, (0, 100), (70, 170)), "the tape repeats itself"),
         (parts(TAPES["circle.asc"], (0, 100), (300, 400), (70, 170)), "strips 1, 3; 2 cannot be joined"),
+        (parts(BIN[:165] + b"\200" * 40 + BIN[165:], (0, 195), (172, 290)), "30 frames"),
+        (parts(bytes(ANY[at // 2] * (at % 2) for at in range(200)), (0, 100), (90, 200)), "30 frames"),
+        (parts(ANY[:60] + ANY[:20] + ANY[60:], (0, 83), (60, 170)), "the tape repeats itself"),
         (parts(TAPES["circle.asc"][:90] * 2, (0, 60), (20, 130), (110, 180)), "the tape repeats itself"),
     ],
 )
