@@ -77,7 +77,9 @@ class Source:
         """Where in `text` each line ends."""
         ends = []
         end = -1
-        for line in self.text.split("\r")[:-1]:
+        lines = self.text.split("\r")
+        lines.pop()
+        for line in lines:
             end += len(line) + 1
             ends.append(end)
         return ends
