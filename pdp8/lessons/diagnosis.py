@@ -45,7 +45,7 @@ HINTS = {
     JUMPED: "Which jump goes there? JMS alone leaves an address to come back to; JMP does not.",
     AGAIN: "The flag of what was read stays up: KRB clears it, KRS does not.",
     NOT_STOPPED: "What is to end this loop? Look at its count, and at what the skip skips.",
-    JUMP: "A jump to itself does nothing for ever. HLT stops the machine.",
+    JUMP: "A jump to itself never ends. HLT stops the machine.",
     INPUT: "All there was has been read. How does the program know that it is done?",
     OUTPUT: "The flag goes up when a character is done: print one (TLS) before you wait for it (TSF).",
     ITSELF: "Which DCA, ISZ or JMS writes there? Words of data stand where the program never comes.",

@@ -13,7 +13,7 @@ from typing import Any
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 _KEYS = {  # of the WebDriver protocol
     "Enter": "\ue007", "Space": " ", "Control": "\ue009", "PageDown": "\ue00f", "End": "\ue010",
-    "ArrowLeft": "\ue012", "ArrowRight": "\ue014",
+    "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015",
 }  # fmt: skip
 
 
