@@ -4,16 +4,13 @@ tolerance ──► programs.circle ──► ASCII tape ──► eia.pal ─�
 """
 
 from pal.assembling import assemble
-from pdp8.computer.machine import Machine
+from pdp8.web.method import translated
 from programs import circle
 from tapes import ascii
 
 
 def loosened(tolerance: int, source: str) -> bytes:
     """Return the circle's EIA tape for half a band of so many thousandths; `source` is that of eia.pal."""
-    machine = Machine()
-    machine.load(assemble(source, names=["eia.pal"]).words)
-    machine.teletype.reader.load(ascii.encode(circle.part(tolerance=tolerance)))
-    machine.start(0o200)
-    machine.run()
-    return machine.teletype.punch.tape
+    words = assemble(source, names=["eia.pal"]).words
+    printout = ascii.encode(circle.part(tolerance=tolerance))
+    return translated(words.items(), printout).teletype.punch.tape

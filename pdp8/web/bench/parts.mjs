@@ -19,8 +19,8 @@ import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
 import { decode } from "../../../tapes/binary.mjs";
-import { Machine } from "../../computer/machine.mjs";
 import { ours, put } from "../html.mjs";
+import * as method from "../method.mjs";
 import { Pad } from "../pad.mjs";
 import { clipped, rect } from "../svg.mjs";
 import { bytes } from "../translator/runtime.mjs";
@@ -54,12 +54,7 @@ export function printout({ name, options, arguments: places }, typed) {
 
 /** The EIA tape that eia.pal, on its BIN tape, makes of a printout. */
 export function translated(program, text) {
-  const machine = new Machine();
-  machine.load(decode(bytes(program)).words.items());
-  machine.start(0o200);
-  machine.teletype.reader.load(encode(text));
-  machine.run();
-  return Uint8Array.from(machine.teletype.punch.tape);
+  return Uint8Array.from(method.translated(decode(bytes(program)).words.items(), encode(text)).teletype.punch.tape);
 }
 
 export class Parts {
