@@ -1,18 +1,15 @@
-# The two commands: `make demo` runs the 1971 chain, `make test` runs every check.
-# Each makes its own virtual environment in .venv; Python 3.11 or later, pip and make are all it needs.
+# `make demo` runs the 1971 chain, `make test` is run before each commit, `make help` lists the rest.
+# Each target sets up .venv by itself; Python 3.11 or later, pip and make are all it needs.
 
 PYTHON ?= python3
 BIN := .venv/bin
 
-# `make samples` makes the bundled tapes of tapes/ again; a test holds them against the chain.
-# `make fewest` searches for the fewest blocks of the piece-wise technique again: four of the bundled tapes, in ten minutes.
-# `make evidence` makes the sources of programs/ and the tables of docs/restoration.md and docs/thesis.md; a test too.
-# `make figures` makes every figure, table and listing of the thesis, with a page of them, in figures/.
-# `make lockstep N=1e9` runs random situations on the machine in all its forms and on the reference, for so many instructions.
-# `make faults` puts every fault of tests/faults/ into a copy of the sources and says which test finds it.
+.PHONY: help
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):[^#]*## */\1\t/p' $(MAKEFILE_LIST) | expand -t 12
 
 .PHONY: demo
-demo: .venv/ready
+demo: .venv/ready ## run the chain of 1971, and write pages of it in demo/
 	mkdir -p demo
 	$(BIN)/pdp8 part circle > demo/circle.asc
 	$(BIN)/pdp8 run eia.pal < demo/circle.asc > demo/circle.eia
@@ -22,7 +19,7 @@ demo: .venv/ready
 	@echo "Now open demo/circle.html and demo/pdp8.html in a browser, or sit down at the machine: $(BIN)/pdp8 panel"
 
 .PHONY: samples
-samples: .venv/ready
+samples: .venv/ready ## make the bundled tapes of tapes/ again by the chain itself
 	for part in circle ellipse; do \
 	    $(BIN)/pdp8 part $$part -o tapes/$$part.asc && \
 	    $(BIN)/pdp8 run eia.pal --reader tapes/$$part.asc --punch tapes/$$part.eia || exit 1; \
@@ -30,92 +27,84 @@ samples: .venv/ready
 	$(BIN)/pal eia.pal -o tapes/eia.bin
 
 .PHONY: fewest
-fewest: .venv/ready
+fewest: .venv/ready ## search for the fewest blocks of the piece-wise technique: four tapes, ten minutes
 	$(BIN)/python -m tests.reference.fewest
 
 .PHONY: test
-test: lint
+test: lint ## lint, types and tests, in five minutes: before each commit
 	$(BIN)/pytest -q -n auto --dist loadfile -m "not slow"
 
-# What is slow or rare: whole docs pages, 10^5 characters, pages in browsers, the site, Pyodide, the fuzzer.
 .PHONY: check
-check: .venv/ready-dev
+check: .venv/ready-check ## pages in browsers, photographs, the site and all that is slow, in ten minutes
 	$(BIN)/pytest -q -n auto --dist loadfile -m slow
 
 # Lines that the tests run, in a copy of the sources in which nothing is compiled; commands count too. There
 # everything is slow: a test that fails is not what is asked.
 COPY := $(CURDIR)/build/coverage
 .PHONY: coverage
-coverage: .venv/ready-dev
+coverage: .venv/ready-check ## list the lines that no test runs, in an hour; fails below 98 %
 	rm -rf $(COPY) && mkdir -p $(COPY)
 	git ls-files -z --cached --others --exclude-standard | tar --null -T - -cf - | tar -C $(COPY) -xf -
 	-cd $(COPY) && PYTHONPATH=$(COPY) $(CURDIR)/$(BIN)/python -m coverage run -m pytest -q -n auto
 	cd $(COPY) && $(CURDIR)/$(BIN)/coverage combine -q && $(CURDIR)/$(BIN)/coverage report --fail-under=98
 
 .PHONY: evidence
-evidence: .venv/ready
+evidence: .venv/ready ## make the sources of programs/ and their tables in docs/ from the evidence
 	$(BIN)/python -m tests.reference.variants
 	$(BIN)/python -m pdp8.thesis.edition
 
 .PHONY: figures
-figures: .venv/ready
+figures: .venv/ready ## make each figure, table and listing of the thesis, in figures/
 	$(BIN)/pdp8 thesis make all --out figures
 
 N ?= 1e8
 SEED ?= 0
 .PHONY: lockstep
-lockstep: .venv/ready-dev
+lockstep: .venv/ready-dev ## run the machine in all its forms beside the reference (N=1e9 SEED=0)
 	$(BIN)/python -m tests.pdp8.computer.lockstep $(N) $(SEED) $(shell nproc)
 
-# `make leak SECONDS=600` translates the circle on the workbench at full speed, and compares the heap before and after.
 SECONDS ?= 600
 .PHONY: leak
-leak: .venv/ready-dev
+leak: .venv/ready-check ## translate the circle on the page, and compare the heap (SECONDS=600)
 	LEAK=$(SECONDS) $(BIN)/pytest -q -rP tests/pdp8/web/test_workbench.py -k leaks
 
 .PHONY: faults
-faults: .venv/ready-dev
+faults: .venv/ready-check ## put each fault of tests/faults/ into a copy; a test has to find it
 	$(BIN)/python -m tests.faults -j $(shell nproc)
 
-# `make mutants ROOM=nc` changes one thing at a time in a room and says which changes no test finds.
-# SAMPLE=300 draws so many a room, SINCE=main takes changed lines alone.
 ROOM ?=
 SAMPLE ?= 0
 .PHONY: mutants
-mutants: .venv/ready-dev
+mutants: .venv/ready-check ## change one thing at a time; list what no test finds (ROOM=nc SAMPLE=300 SINCE=main)
 	nice $(BIN)/python -m tests.mutation $(ROOM) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc)
 
-# `make fuzz COUNT=1000000` calls every command with hostile inputs, from SEED on.
 COUNT ?= 100000
 .PHONY: fuzz
-fuzz: .venv/ready-dev
+fuzz: .venv/ready-dev ## call each command with hostile inputs (COUNT=1000000 SEED=0)
 	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
 
-# Every option alone and every two together acts, or is refused; writes the table of docs/options.md.
 .PHONY: options
-options: .venv/ready-dev
+options: .venv/ready-dev ## try each option and each pair: they act, or are refused; writes docs/options.md
 	$(BIN)/python -m tests.options.pairs
 
 .PHONY: lint
-lint: .venv/ready-dev
+lint: .venv/ready-dev ## ruff, the translator, mypy
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m pdp8.web.translator
 	$(BIN)/mypy -n 2
 
 .PHONY: format
-format: .venv/ready-dev
+format: .venv/ready-dev ## mend what ruff can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-# The documentation as a site in build/site, without a warning (mkdocs.yml).
 .PHONY: docs
-docs: .venv/ready-dev
+docs: .venv/ready-check ## build the documentation as a site in build/site
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
-# The sdist and the wheels, each installed and tried, in dist/ (release/dist.py).
 .PHONY: dist
-dist: .venv/bin/pip
+dist: .venv/bin/pip ## build the sdist and the wheels, install and try each, in dist/
 	$(BIN)/pip install -q --disable-pip-version-check -e ".[release]"
 	$(BIN)/python release/dist.py
 
@@ -152,9 +141,14 @@ endef
 	@touch $@
 
 .venv/ready-dev: $(BUILT_FROM) | .venv/bin/pip
-	$(call INSTALL,dev,700 MB)
+	$(call INSTALL,dev,250 MB)
 	@touch .venv/ready $@
 
+.venv/ready-check: .venv/ready-dev
+	@echo "for make check: Chromium's driver, OpenCV, MkDocs, 450 MB:"
+	@PDP8_EXTENSIONS=forbid $(PIP) --no-build-isolation -e ".[check]"
+	@touch $@
+
 .PHONY: clean
-clean:
+clean: ## remove what was made
 	rm -rf .venv demo figures build dist *.egg-info pal/*.so pdp8/computer/*/*.so

@@ -56,6 +56,16 @@ def pytest_xdist_auto_num_workers() -> int:
     return (os.cpu_count() or 1) + 1
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave to `make check` what needs its packages: a browser's driver, OpenCV."""
+    for item in items:
+        if "browser" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.slow("in a browser"))
+        if "photograph" in item.path.parts:
+            item.add_marker(pytest.mark.slow("reads pictures by OpenCV"))
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Say in the last line what the machine was not compared with, where no C compiler is."""

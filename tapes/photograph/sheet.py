@@ -71,8 +71,8 @@ class Sheet(NamedTuple):
         u = np.arange(-1.0, self.length + 1)
         sides = [self.place(along, np.array([aside])) for along, aside in ((u, -5.5), (u[::-1], 7.5))]
         outline = np.concatenate(sides).astype(np.float32)
-        inside = [cv2.pointPolygonTest(outline, place, False) > 0 for place in places.tolist()]
-        return sum(inside) > 0.2 * len(inside)
+        inside = sum(cv2.pointPolygonTest(outline, place, False) > 0 for place in places.tolist())
+        return bool(inside > 0.2 * len(places))
 
     @property
     def length(self) -> int:
