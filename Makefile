@@ -84,7 +84,7 @@ fuzz: .venv/ready-dev ## call each command with hostile inputs (COUNT=1000000 SE
 	$(BIN)/python -m tests.fuzz.fuzzer --count $(COUNT) --seed $(SEED)
 
 .PHONY: options
-options: .venv/ready-dev ## try each option and each pair: they act, or are refused; writes docs/options.md
+options: .venv/ready-dev ## try each option and each pair: they act, or are refused
 	$(BIN)/python -m tests.options.pairs
 
 .PHONY: lint

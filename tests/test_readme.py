@@ -12,10 +12,8 @@ import os
 import re
 from pathlib import Path
 
-import click
 import pytest
 
-from pdp8.cli.root import pdp8
 from tests.conftest import Shell
 
 HOUSE = Path(__file__).parent.parent
@@ -70,9 +68,3 @@ def _bring_tapes(folder: Path) -> None:
 def _whole_lines(printed: str) -> str:
     text = printed.strip("\n")
     return f"{text}\n" if text else ""
-
-
-def test_every_command_stands_in_the_readme() -> None:
-    assert len(sittings(README)) >= 4
-    commands = pdp8.list_commands(click.Context(pdp8))
-    assert [name for name in commands if f"pdp8 {name}" not in README.read_text()] == []

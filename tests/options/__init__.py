@@ -4,5 +4,5 @@ inputs   the files, the calls that are tried, what an option is given, and what 
 trial    one call in this process, and all that comes out of it
 pairs    the options of all commands as they are declared, and what is wrong with them
 
-`make options` tries all; tests/options/test_pairs.py, in `make check`, a sample.
+`make options` tries all; tests/options/test_pairs.py a tenth.
 """

@@ -1,6 +1,6 @@
 """The options of all commands as they are declared, tried alone and two by two.
 
-python -m tests.options.pairs                all, and the table of docs/options.md
+python -m tests.options.pairs                all
 python -m tests.options.pairs run "nc cut"   those of some commands
 
 An option acts if what a call does is other with it than without: a byte of its output, its files or its
@@ -9,11 +9,10 @@ the calls of inputs.py has to show it; else the call with both has to be refused
 """
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 from itertools import combinations
-from pathlib import Path
 from typing import NamedTuple
 
 import click
@@ -25,8 +24,6 @@ from tests.options import inputs
 from tests.options.trial import Outcome, outcome
 
 ACT, REFUSED, HIDDEN = "act", "refused", "hidden"
-PAGE = Path(__file__).parents[2] / "docs" / "options.md"
-BEGIN, END = "<!-- the table of make options -->", "<!-- its end -->"
 
 
 class Pair(NamedTuple):
@@ -97,24 +94,8 @@ def _outcome(command: str, call: str, options: tuple[str, ...]) -> Outcome:
     return outcome(_line(command, call, options), inputs.FILES, inputs.STDIN.get(command, b""))
 
 
-def table(found: Mapping[Pair, str]) -> str:
-    """Return what came of all pairs, a row a command, in Markdown."""
-    rows = [
-        "| command | options | pairs | act together | refused | cannot show |",
-        "|---|--:|--:|--:|--:|--:|",
-    ]
-    sums = [0] * 5
-    for name, options in declared().items():
-        outcomes = [how for pair, how in found.items() if pair.command == name and len(pair.options) == 2]
-        counts = [len(options), len(outcomes), *(outcomes.count(how) for how in (ACT, REFUSED, HIDDEN))]
-        sums = [total + count for total, count in zip(sums, counts, strict=True)]
-        if options:
-            rows.append(f"| `{name}` | {' | '.join(map(str, counts))} |")
-    return "\n".join([*rows, f"| {len(declared())} commands | {' | '.join(map(str, sums))} |"])
-
-
 def main() -> None:
-    """Try what is asked for; say what is wrong. Of all commands, write the table into docs/options.md."""
+    """Try the pairs of the commands given, or of all; print what is wrong."""
     chosen, found = list(pairs(sys.argv[1:])), {}
     with ProcessPoolExecutor() as pool:
         for pair, how in zip(chosen, pool.map(tried, chosen, chunksize=20), strict=True):
@@ -123,9 +104,6 @@ def main() -> None:
                 print(f"{pair.command} {' '.join(pair.options)}: {how}", flush=True)
     wrong = sum(how not in (ACT, REFUSED, HIDDEN) for how in found.values())
     print(f"{len(found):,} single options and pairs, {wrong} without effect")
-    if not wrong and not sys.argv[1:]:
-        before, _, after = PAGE.read_text().partition(BEGIN)
-        PAGE.write_text(before + BEGIN + "\n\n" + table(found) + "\n\n" + END + after.partition(END)[2])
     sys.exit(bool(wrong))
 
 
