@@ -44,12 +44,14 @@ PARTS: Final = {
             "circle",
             "The 4 in circle of Appendix C.",
             ("> circle.asc", "--radius 1 --tolerance 0.003", "--spindle 35 -o fast.asc"),
+            nominal={"circle": (4, 4, 1.75)},
             instrument="Talyrond",
         ),
         Part(
             "ellipse",
             "The 6 x 4 1/2 in ellipse of Appendix D.",
             ("> ellipse.asc", "--arithmetic ge635", "--minor 1.5 --technique piece"),
+            nominal={"ellipse": (4, 4, 3, 2.25)},
         ),
         Part(
             "polynomial",

@@ -11,7 +11,7 @@ Where no pair fits, the block goes along one axis: the limiting case of Chapter 
 twelve points of each leg; the bands of stretches are smooth enough for that.
 
 A block is chosen without a look at those after it, so that other choices may need fewer blocks:
-tests/reference/fewest.c finds the least there can be.
+tests/reference/fewest.c finds the least there can be with the codes it is given.
 
 Sources: thesis, Chapter 3, Figures 3.1 and 3.2, Tables 2.4 and 10.1. The choice of pairs and stops is ours.
 """

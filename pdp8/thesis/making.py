@@ -49,7 +49,7 @@ def make(item: Item) -> Made:
     if pictures[0].startswith("<svg"):
         sheet = framed(pictures, heading, item.title, item.caption, across=item.across)
         return Made(item, f"{item.stem}.svg", sheet, table, tape)
-    note = f"\n{NOTE}" if item.number in TABLES else ""
+    note = f"\n{NOTE}" if item.number in (*TABLES, "10.1") else ""
     text = f"{heading}  {item.title}\n{item.caption}{note}\n\n{pictures[0]}"
     return Made(item, f"{item.stem}.txt", text, table, tape)
 

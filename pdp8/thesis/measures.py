@@ -352,7 +352,6 @@ def _elements() -> _Groups:
     oblique, arcs = len(work.oblique(outline)), sum(isinstance(segment, fluidic.Bend) for segment in outline)
     return {
         ITSELF: {
-            "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
             "element scale": fluidic.SCALE,
             "element slopes": oblique,
             "element arcs": arcs,
@@ -364,6 +363,7 @@ def _elements() -> _Groups:
         },
         "Chapter 8": {"element routines": oblique + arcs},
         "Chapter 8, outline": {
+            "element nozzle": (2 * nozzle + cutter) / fluidic.SCALE,
             "element width": (2 * max(u for u, _ in corners) + cutter) / fluidic.SCALE,
             "element height": (max(v for _, v in corners) + cutter) / fluidic.SCALE,
             "main blocks": lambda: chain.printout("fluidic", program="main").count("\n"),

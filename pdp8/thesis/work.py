@@ -10,7 +10,7 @@ from random import Random
 from typing import Final
 
 import nc
-from nc.curves import Curve, StraightLine, nominal
+from nc.curves import StraightLine, nominal
 from nc.inspection import inspect
 from nc.path import MoveKind, Position
 from nc.plot import plot
@@ -32,8 +32,14 @@ def part(name: str, close_at: tuple[float, float], zoom: tuple[float, float]) ->
     """Figures 7.1, 7.3 and 7.5: a slot; its close view is about `close_at`, `zoom` its scales of X and Y."""
     about = parts.find(name)
     path, band = chain.path(name), 1000 * about.tolerance
-    curve: Curve | None = nominal(**about.nominal) or inspect(path, tolerance=band).curve
-    return plot(path, curve, cutter=1000 * about.cutter, tolerance=band, close_at=close_at, zoom=zoom)
+    return plot(
+        path,
+        nominal(**about.nominal),
+        cutter=1000 * about.cutter,
+        tolerance=band,
+        close_at=close_at,
+        zoom=zoom,
+    )
 
 
 def die_tape() -> bytes:
@@ -47,9 +53,9 @@ def die_tape() -> bytes:
 
 def polar_graphs() -> list[str]:
     """Figure 7.2: two circles cut by the same tape, that of the listing with the block that closes it."""
-    path = chain.path("circle", close=True)
+    path, curve = chain.path("circle", close=True), nominal(**parts.find("circle").nominal)
     names = ("First circle", "Second circle, same tape")
-    return [talyrond(inspect(cut_again(path, seed)), name=name) for seed, name in enumerate(names, 1)]
+    return [talyrond(inspect(cut_again(path, seed), curve), name=name) for seed, name in enumerate(names, 1)]
 
 
 def cut_again(path: nc.Path, seed: int) -> nc.Path:

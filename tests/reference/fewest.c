@@ -1,13 +1,13 @@
 /* The fewest blocks that mill a curve with both axes moving, every feed within so many percent: an exact search.
 
-   usage: fewest line|oval WIDTH HEIGHT PERCENT [MARGIN]      lengths in thousandths of an inch
+   usage: fewest line|oval WIDTH HEIGHT PERCENT [MARGIN [FASTEST]]      lengths in thousandths of an inch
 
        line    from 0,0 to WIDTH,HEIGHT, within 5 of it
        oval    clockwise from 9 o'clock about 0,0 and back; WIDTH and HEIGHT are its semi-axes, and those of its
                limits are 5 less and 5 more
 
-   A state is a stop, each place of the .001 grid in the band, with the feeds in force, codes 01 to 05 of Table 2.4 or
-   none yet. A block sets one feed and goes to any stop such that both extremes of its path, X fast and Y slow, X slow
+   A state is a stop, each place of the .001 grid in the band, with the feeds in force, codes 01 to FASTEST (5) of Table
+   2.4 or none yet. A block sets one feed and goes to any stop such that both extremes of its path, X fast and Y slow, X slow
    and Y fast, stay in the band: all other paths lie between these two. The search goes through all states of one block,
    then of two: the first number of blocks that reaches the end is the least.
 
@@ -21,8 +21,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CODES = 6, PAIRS = CODES * CODES, BAND = 5 };
-static const double FEED[CODES] = { 0, 1.0, 1.9, 2.7, 4.0, 5.5 };
+enum { BAND = 5 };
+static const double FEED[] = { 0, 1.0, 1.9, 2.7, 4.0, 5.5, 7.2, 9.1, 11.2, 13.3, 16.0, 18.6, 21.5, 24.7, 27.9, 31.5, 35.6, 39.7, 44.0 };
 static const double EXACT = 1e-9;
 
 typedef struct { double x, y; } Place;
@@ -30,7 +30,7 @@ typedef struct { int x, y; double along; } Stop;
 typedef struct { int stop, pair; } State;
 
 static double width, height, wrong, limit; /* limit: of the line, times its length */
-static int oval;
+static int oval, codes = 6; /* codes: with 0, no feed */
 static Stop *stops;
 static int count;
 
@@ -72,7 +72,7 @@ static int keeps(const Stop *from, const Stop *to, double rise, double run)
 /* Whether a block at a pair of feeds may go to a stop, however they err; an axis without a feed stands still. */
 static int reaches(const Stop *from, const Stop *to, int pair)
 {
-    double x = FEED[pair / CODES], y = FEED[pair % CODES], least = (1 - wrong) / (1 + wrong);
+    double x = FEED[pair / codes], y = FEED[pair % codes], least = (1 - wrong) / (1 + wrong);
     if (!x || !y)
         return (x || to->x == from->x) && (y || to->y == from->y) && stays((Place){ from->x, from->y }, (Place){ to->x, to->y });
     double rise = y / x, run = x / y;
@@ -125,13 +125,13 @@ static int find(int x, int y, int last)
 
 static void print_way(State *came, int stop, int pair)
 {
-    State from = came[stop * PAIRS + pair];
+    State from = came[(size_t)stop * codes * codes + pair];
     if (from.stop < 0)
         return;
     print_way(came, from.stop, from.pair);
-    int x_changed = from.pair / CODES != pair / CODES;
-    int x_is_set = x_changed || (from.pair % CODES == pair % CODES && pair / CODES);
-    printf("%d %d %c %d\n", stops[stop].x, stops[stop].y, x_is_set ? 'X' : 'Y', x_is_set ? pair / CODES : pair % CODES);
+    int x_changed = from.pair / codes != pair / codes;
+    int x_is_set = x_changed || (from.pair % codes == pair % codes && pair / codes);
+    printf("%d %d %c %d\n", stops[stop].x, stops[stop].y, x_is_set ? 'X' : 'Y', x_is_set ? pair / codes : pair % codes);
 }
 
 int main(int arguments, char **argument)
@@ -141,26 +141,29 @@ int main(int arguments, char **argument)
     oval = !strcmp(argument[1], "oval");
     width = atof(argument[2]), height = atof(argument[3]), wrong = atof(argument[4]) / 100;
     int margin = arguments > 5 ? atoi(argument[5]) : 800;
+    if (arguments > 6)
+        codes = atoi(argument[6]) + 1;
+    size_t pairs = codes * codes;
     limit = BAND * hypot(width, height) * (1 + EXACT);
     list_stops();
     int start = oval ? find(-(int)width, 0, 0) : find(0, 0, 0);
     int end = oval ? find(-(int)width, 0, 1) : find((int)width, (int)height, 1);
-    size_t states = (size_t)count * PAIRS;
+    size_t states = (size_t)count * pairs;
     State *came = malloc(sizeof *came * states), *now = malloc(sizeof *now * states), *next = malloc(sizeof *next * states);
     char *seen = calloc(states, 1), *left = calloc(states, 1);
     int many = 1;
     now[0] = (State){ start, 0 };
-    came[start * PAIRS] = (State){ -1, 0 };
+    came[start * pairs] = (State){ -1, 0 };
     for (int blocks = 1; many; blocks++) {
         int found = 0;
         for (int each = 0; each < many; each++) {
             State from = now[each];
-            int x = from.pair / CODES, y = from.pair % CODES;
-            for (int set = 2; set < 2 * CODES; set++) {
-                int pair = set % 2 ? x * CODES + set / 2 : set / 2 * CODES + y;
-                if (left[from.stop * PAIRS + pair])
+            int x = from.pair / codes, y = from.pair % codes;
+            for (int set = 2; set < 2 * codes; set++) {
+                int pair = set % 2 ? x * codes + set / 2 : set / 2 * codes + y;
+                if (left[from.stop * pairs + pair])
                     continue;
-                left[from.stop * PAIRS + pair] = 1;
+                left[from.stop * pairs + pair] = 1;
                 int to = from.stop;
                 while (to > 0 && stops[to - 1].along == stops[from.stop].along)
                     to--;
@@ -168,10 +171,10 @@ int main(int arguments, char **argument)
                     if (!reaches(&stops[from.stop], &stops[to], pair))
                         continue;
                     misses = 0;
-                    if (seen[to * PAIRS + pair])
+                    if (seen[to * pairs + pair])
                         continue;
-                    seen[to * PAIRS + pair] = 1;
-                    came[to * PAIRS + pair] = from;
+                    seen[to * pairs + pair] = 1;
+                    came[to * pairs + pair] = from;
                     next[found++] = (State){ to, pair };
                     if (to == end) {
                         printf("%d\n", blocks);

@@ -1,6 +1,7 @@
 """The tapes of the fewest blocks by the piece-wise technique, NAME-fewest.eia: fewest.c proves them.
 
-`python -m tests.reference.fewest`, or `make fewest`, searches again and writes them: some ten minutes.
+`python -m tests.reference.fewest`, or `make fewest`, searches again and writes them: some ten minutes. They
+have feed codes 01 to 05. With more, fewest.c prints 128 for the slope (01 to 18), 215 for the circle (to 08).
 """
 
 import subprocess
@@ -37,12 +38,13 @@ SHAPES: Final = {
 }
 
 
-def search(shape: Shape) -> str:
-    """Return the printout with the fewest blocks for a shape, after the header of the listings."""
+def search(shape: Shape, fastest: int = 5, margin: int = 800) -> str:
+    """Return the printout with the fewest blocks, feed codes 01 to `fastest`, after the listings' header."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder, "fewest")
         compile_c(program, Path(__file__).with_name("fewest.c"), "-lm")
-        asked = [str(program), shape.kind, str(shape.width), str(shape.height), _FEED_ERROR]
+        asked = [str(program), shape.kind, str(shape.width), str(shape.height)]
+        asked += [_FEED_ERROR, str(margin), str(fastest)]
         found = subprocess.run(asked, check=True, capture_output=True, text=True).stdout
     count, *blocks = found.splitlines()
     assert int(count) == len(blocks)
