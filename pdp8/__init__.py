@@ -19,7 +19,7 @@ A tape is bytes, a byte a frame; a word is an int; words in core are {address: w
     Machine                 load, start, run, stop, wait, count; ac link pc sr core[0o200] elapsed
                             machine.teletype: reader.load(frames), keyboard.press(frames), punch.tape,
                             printer.frames; punch.on_frame and printer.on_frame are called with each
-                            machine.watch.breakpoints, a set; machine.bus.fit(0o05, device)
+                            machine.watch.breakpoints, a set; machine.fit(device)
     Device                  one of your own: pulse, advance, initialize; fields.saved(flag=fields.BIT,
                             due=fields.TICK) is what is saved; signals.SKIP CLEAR_AC NEVER TICKS_PER_SECOND
     Count                   what `with machine.count() as count` gives: executed, operations, waiting ...

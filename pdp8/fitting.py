@@ -1,7 +1,10 @@
-"""Devices of anybody's, each a class in a file of its own: `pdp8 run --device clock.py:KW8 prog.pal`.
+"""Devices by what `--device` calls them: a name, or a class in a file of one's own.
 
-The class is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE. Its file is
-run as Python runs any file: fit no device whose file you would not run.
+    pdp8 run --device highspeed prog.pal        one of pdp8/computer/hardware/devices.py
+    pdp8 run --device clock.py:KW8 prog.pal
+
+A class of one's own is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE.
+Its file is run as Python runs any file: fit no device whose file you would not run.
 """
 
 import os
@@ -9,48 +12,65 @@ from collections.abc import Iterable
 from importlib.util import module_from_spec, spec_from_file_location
 from traceback import extract_tb
 
-from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.bus import Device, Peripheral
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
 _MARK = "__file_of_devices__"
 
-Devices = dict[int, type[Device]]
-"""Classes of devices, by their codes."""
+Devices = list[type[Peripheral]]
+_KNOWN = {device.NAME: type(device) for device in one_of_each()}
 
 
-def file_of(name: str) -> str:
-    """Return the file of FILE:CLASS. Raises WorkError where there is no class."""
+def file_of(name: str) -> str | None:
+    """Return the file of FILE:CLASS, None for the name of a device. Raises WorkError for neither."""
+    if name in _KNOWN:
+        return None
     file, _, of_class = name.rpartition(":")
     if not (file and of_class.isidentifier()):
-        raise WorkError(f"{name}: a file and the class in it expected, as in clock.py:KW8")
+        raise WorkError(
+            f"{name}: {' and '.join(_KNOWN)} are devices; for one of your own FILE:CLASS, as in clock.py:KW8"
+        )
     return file
 
 
 def devices(names: Iterable[str]) -> Devices:
-    """Return the classes that are named FILE:CLASS. Raises WorkError where one is not there or no device."""
-    found: Devices = {}
+    """Return the classes that are named. Raises WorkError where one is not there or no device."""
+    found: Devices = []
     for name in names:
         file = file_of(name)
-        made = _device(file, name.removeprefix(f"{file}:"))
-        if made.CODE in found:
-            raise WorkError(f"{name}: {found[made.CODE].__name__} has device code {made.CODE:02o} too")
-        found[made.CODE] = made
+        made = _KNOWN[name] if file is None else _device(file, name.removeprefix(f"{file}:"))
+        for other in found:
+            if made.CODE == other.CODE:
+                raise WorkError(f"{name}: {other.__name__} has device code {made.CODE:02o} too")
+        found.append(made)
     return found
 
 
 def fit(machine: Machine, classes: Devices) -> None:
-    """Fit a device of each class to the machine's bus. Raises WorkError where a code is taken or no code."""
-    for code, made in classes.items():
+    """Fit a device of each class to the machine. Raises WorkError where a code is taken or no code."""
+    for made in classes:
         try:
             device = made()
-            machine.bus.fit(code, device)
-            device.initialize(machine.processor.clock)
+            if isinstance(device, Device):
+                _check(device)
+            machine.fit(device)
+            if isinstance(device, Device):
+                device.initialize(machine.processor.clock)
         except Exception as error:
             raise WorkError(f"{made.__name__}: {error}") from error
-        for name in made.fields:
-            if not hasattr(device, name):
-                raise WorkError(f"{made.__name__}: fields names {name}, and it has no such attribute")
+
+
+def _check(device: Device) -> None:
+    """Raise ValueError for a device that lacks a method it has to have, or a field."""
+    made = type(device)
+    for name in ("pulse", "advance", "initialize"):
+        if getattr(made, name) is getattr(Device, name):
+            raise ValueError(f"it has no method {name}, which a device has to have")
+    for name in made.fields:
+        if not hasattr(device, name):
+            raise ValueError(f"fields names {name}, and it has no such attribute")
 
 
 def fault(error: BaseException) -> str:

@@ -24,8 +24,8 @@ from tapes.errors import WorkError, called
 @click.option(
     "--device",
     multiple=True,
-    metavar="FILE:CLASS",
-    help="Fit a device of your own, a class in a Python file.",
+    metavar="NAME|FILE:CLASS",
+    help="Fit a device, highspeed or a class in a Python file of your own.",
 )
 @click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
 @click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
@@ -41,8 +41,8 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
       printf 'load eia.pal\\nreader circle.asc\\nbreak CHK\\ngo 200\\n' | pdp8 monitor -
       pdp8 monitor lesson.txt --echo
     """
-    machine = Machine(highspeed)
-    fitting.fit(machine, fitting.devices(device))
+    machine = Machine()
+    fitting.fit(machine, fitting.devices(["highspeed", *device] if highspeed else device))
     made = Monitor(command.echo, machine)
     made.dialect = dialect
     if script is None and sys.stdin.isatty():

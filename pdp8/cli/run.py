@@ -85,8 +85,8 @@ class Options:
         option(
             "--device",
             multiple=True,
-            metavar="FILE:CLASS",
-            help="Fit a device of your own, a class in a Python file.",
+            metavar="NAME|FILE:CLASS",
+            help="Fit a device, highspeed or a class in a Python file of your own.",
         ),
     ]
     keyboard: Annotated[
@@ -274,13 +274,15 @@ def _fed(options: Options) -> bool:
 
 def _machine(options: Options, found: "Program | None") -> Machine:
     """Return the machine, new with the program in core or restored; say what there is to say of its tape."""
-    highspeed = options.fast_reader is not None or options.fast_punch is not None
-    devices = fitting.devices(options.device)
+    names = list(options.device)
+    if "highspeed" not in names and (options.fast_reader is not None or options.fast_punch is not None):
+        names.insert(0, "highspeed")
+    devices = fitting.devices(names)
     if options.restore is None:
-        machine = Machine(highspeed)
+        machine = Machine()
         fitting.fit(machine, devices)
     else:
-        machine = _restored(options.restore, highspeed, devices)
+        machine = _restored(options.restore, devices)
     if found is not None:
         if options.boot:
             _boot(options, machine, found)
@@ -434,18 +436,13 @@ def _listing(found: "Program | None") -> "Listing":
     return found.listing if found else Listing()
 
 
-def _restored(name: str, highspeed: bool, devices: "fitting.Devices") -> Machine:
-    """Return the saved machine with `devices`, and with the high-speed reader and punch if it had them or is
-    to have them.
-    """
+def _restored(name: str, devices: "fitting.Devices") -> Machine:
+    """Return the saved machine, with `devices` too."""
     from pdp8.computer.past import state
 
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
-        machine = state.restore(text, devices)
-    if highspeed and not machine.highspeed.fitted:
-        machine.highspeed.connect(machine.bus)
-    return machine
+        return state.restore(text, [made() for made in devices])
 
 
 def _boot(options: Options, machine: Machine, found: "Program") -> None:

@@ -4,8 +4,9 @@
                                         │
                                        bus ── 03 receiver ◄─ reader, keyboard   ┐ Teletype
                                         ├──── 04 transmitter ─► printer, punch  ┘
-                                        ├──── 01 high-speed reader              ┐ if fitted
-                                        └──── 02 high-speed punch               ┘
+                                        ├──── 01 high-speed reader              ┐ HighSpeed
+                                        ├──── 02 high-speed punch               ┘
+                                        └──── ...                                 devices.py has all
 
 The machine is a discrete-event simulation: nothing here sleeps, and the same core and tapes give the same
 tapes and the same times. While a program only waits, time jumps (see waiting.py).
@@ -18,10 +19,10 @@ from time import monotonic
 from typing import TYPE_CHECKING, Protocol
 
 from pal.isa import FETCH, halts
-from pdp8.computer.hardware.bus import Bus, Device
+from pdp8.computer.hardware.bus import Bus, Peripheral
 from pdp8.computer.hardware.core import SIZE, WORD, Core, allowed
 from pdp8.computer.hardware.fields import Field, Part, Values, all_fields, put, take
-from pdp8.computer.hardware.highspeed import HighSpeed, ReaderControl
+from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
@@ -69,15 +70,20 @@ def _ticks(seconds: float) -> int:
 
 
 class Machine:
-    """A PDP-8/L with 4K of core and an ASR-33, as it is when it is switched on: core and registers 0.
+    """A PDP-8/L with 4K of core and `devices`, as it is when it is switched on: core and registers 0.
 
-    `highspeed` fits the PC8/L reader and punch too.
+    Without `devices` it has an ASR-33. They are fitted one behind the other, each in front of those before.
     """
 
-    def __init__(self, highspeed: bool = False) -> None:
+    def __init__(self, devices: Iterable[Peripheral] | None = None) -> None:
         self.bus = Bus()
+        self.devices: list[Peripheral] = []
+        """What is fitted."""
         self.teletype = Teletype()
-        self.teletype.connect(self.bus)
+        self.highspeed = HighSpeed()
+        """These two belong to the machine where they are among its devices."""
+        for device in [self.teletype] if devices is None else devices:
+            self._connect(device)
         self.processor = Processor(self.bus)
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
@@ -92,9 +98,6 @@ class Machine:
         """Those breakpoints, as Waiting has them."""
         self._observer: Observer | None = None
         """That of the last run."""
-        self.highspeed = HighSpeed()
-        if highspeed:
-            self.highspeed.connect(self.bus)
         self.power_up()
 
     def __repr__(self) -> str:
@@ -102,9 +105,22 @@ class Machine:
         stands = "running" if p.run else "stopped"
         return f"<Machine at {self.pc:04o}: L {self.link} AC {self.ac:04o}, {stands}, {self.elapsed:.6f} s>"
 
-    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[dict[int, type[Device]], Values]]:
+    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[list[type[Peripheral]], Values]]:
         """Copy by the state: breakpoints, observers and `on_frame` stay with the original."""
-        return _copied, ({device.code: type(device) for device in reversed([*self.bus])}, self.values())
+        return _copied, ([type(device) for device in self.devices], self.values())
+
+    def fit(self, device: Peripheral) -> None:
+        """Fit one more device, in front of the others. Raises ValueError if its code is no code or taken."""
+        self._connect(device)
+        self.waiting.left.forget()
+
+    def _connect(self, device: Peripheral) -> None:
+        device.connect(self.bus)
+        self.devices.append(device)
+        if isinstance(device, Teletype):
+            self.teletype = device
+        elif isinstance(device, HighSpeed):
+            self.highspeed = device
 
     def power_up(self) -> None:
         """Do what the power switch does: INITIALIZE, and stand still."""
@@ -451,11 +467,8 @@ class Machine:
         return self.processor.instructions
 
 
-def _copied(devices: Mapping[int, type[Device]], values: Values) -> Machine:
-    """Return a machine with `devices` fitted, and with `values`."""
-    machine = Machine(highspeed=devices.get(0o01) is ReaderControl)
-    for code, device in devices.items():
-        if machine.bus.device(code) is None:
-            machine.bus.fit(code, device())
+def _copied(devices: Iterable[type[Peripheral]], values: Values) -> Machine:
+    """Return a machine with a device of each class, and with `values`."""
+    machine = Machine([made() for made in devices])
     machine.put(values)
     return machine

@@ -71,8 +71,8 @@ class Launch:
         `say` takes what the monitor says.
         """
         found = shelf.program(self.program[0]) if len(self.program) == 1 else shelf.programs(self.program)
-        machine = Machine(self.highspeed)
-        fitting.fit(machine, fitting.devices(self.device))
+        machine = Machine()
+        fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))
         monitor = Monitor(say, machine, found.listing)
         if self.boot and len(self.program) > 1:
             raise WorkError("boot: the program is one tape; assemble its sources first")

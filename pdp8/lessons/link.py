@@ -7,6 +7,7 @@ import json
 import zlib
 from typing import Any
 
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.state import HEAD, save
 
@@ -15,7 +16,7 @@ PAGE = "pdp8.html"
 
 def link(name: str, source: str, machine: Machine, until: int) -> str:
     """Return the link: `until` are the instructions that the machine runs from the state it is in."""
-    state = _other(json.loads(save(machine)), json.loads(save(Machine(highspeed=True))))
+    state = _other(json.loads(save(machine)), json.loads(save(Machine(one_of_each()))))
     shared = {"program": {"name": name, "text": source}, "machine": {**HEAD, **state}, "until": until}
     packed = zlib.compress(json.dumps(shared, separators=(",", ":")).encode(), 9, wbits=-15)
     return f"{PAGE}#s={base64.urlsafe_b64encode(packed).decode().rstrip('=')}"

@@ -143,6 +143,6 @@ def restore(monitor: Monitor, name: str) -> None:
     watch, pace = monitor.machine.watch, monitor.operator.pace
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
-        restored = state.restore(text, {device.code: type(device) for device in monitor.machine.bus})
+        restored = state.restore(text, [type(device)() for device in monitor.machine.devices])
     monitor.attend(restored)
     monitor.machine.watch, monitor.operator.pace = watch, pace

@@ -7,7 +7,8 @@ import random
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from pdp8.computer.hardware.teletype import half_units, tick_of
+from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.hardware.teletype import Teletype, half_units, tick_of
 from pdp8.computer.machine import Machine
 
 Event = dict[str, Any]
@@ -119,7 +120,7 @@ class Devices:
     """The Teletype and the PC8/L of a machine as switched on, which does nothing but single IOTs."""
 
     def __init__(self) -> None:
-        self.machine = Machine(highspeed=True)
+        self.machine = Machine([Teletype(), HighSpeed()])
         for reader in (self.machine.teletype.reader, self.machine.highspeed.reader):
             reader.load(bytes(TAPE))
 

@@ -9,6 +9,8 @@ from typing import Any
 
 from pal.isa import FETCH, INDIRECT, IOT, STATES, autoindexed, refers_to
 from pal.models import MODELS, rules
+from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
 from pdp8.vectors.states import State
 
@@ -21,7 +23,7 @@ class Recorder:
     """A machine whose instructions are written down."""
 
     def __init__(self) -> None:
-        self.machine = Machine(highspeed=True)
+        self.machine = Machine([Teletype(), HighSpeed()])
 
     def vector(
         self, name: str, state: State, word: int, flags: tuple[int, ...] = (), mem_prot: int = 0

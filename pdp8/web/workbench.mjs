@@ -15,6 +15,7 @@ import { Clock } from "./bench/clock.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
 import { Shelf } from "./bench/shelf.mjs";
 import { wire } from "./bench/wiring.mjs";
+import { one_of_each } from "../computer/hardware/devices.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
@@ -36,7 +37,7 @@ const MEMORY = 32 << 20; // bytes of what can be undone
 class Bench {
   constructor(record) {
     this.record = record;
-    this.machine = new Machine(true);
+    this.machine = new Machine(one_of_each());
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
     this.texts = null; // the bundled tapes as a state has them, once they are asked for
@@ -81,7 +82,7 @@ class Bench {
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(machine, stops = false) {
-    this.machine = new Machine(true);
+    this.machine = new Machine(one_of_each());
     this.machine.put(machine.values());
     this.machine.watch.breakpoints = machine.watch.breakpoints;
     if (stops) this.machine.panel.stop();
@@ -275,7 +276,7 @@ class Bench {
     const { name, text } = this.editor;
     const state = JSON.parse(save(this.machine));
     const { format, version } = state;
-    const machine = shortened(state, JSON.parse(save(new Machine(true))), this.#bundled());
+    const machine = shortened(state, JSON.parse(save(new Machine(one_of_each()))), this.#bundled());
     const session = { program: { name, text }, machine: { format, version, ...machine } };
     const link = await linked(session);
     if (link.length <= LONGEST) return this.give(link);

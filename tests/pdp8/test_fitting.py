@@ -7,11 +7,16 @@ from pathlib import Path
 import pytest
 
 from pdp8 import fitting
+from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
+from pdp8.computer.use import program
 from pdp8.dap.launch import Launch
+from pdp8.web import translator
+from pdp8.web.translator.modules import translate
 from tapes.errors import WorkError
 from tests.conftest import Call
+from tests.pdp8.web.node import in_node, needs_node, write
 from tests.test_readme import FILE, HOUSE
 
 NEEDED = "devices 13: the state needs a KW8; --device FILE:CLASS fits one, a page has none"
@@ -36,6 +41,35 @@ def test_it_runs_and_a_saved_state_needs_it(call: Call) -> None:
     assert "an endless loop at 0202" in without[2]
 
 
+@needs_node
+def test_with_one_line_it_comes_with_the_machine_and_the_page_has_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The steps of docs/pdp8.md, in a copy of the sources; the clock counts a second in JavaScript."""
+    listed = translator._sources()
+    path, text = listed["pdp8.computer.hardware.devices"]
+    text = text.replace("HighSpeed(),", "HighSpeed(), KW8(),")
+    listed["pdp8.computer.hardware.devices"] = (
+        path,
+        text.replace("from", "from pdp8.computer.hardware.clock import KW8\nfrom", 1),
+    )
+    listed["pdp8.computer.hardware.clock"] = ("clock.py", Path("clock.py").read_text())
+    write(tmp_path / "page", translate(listed, translator.OMITTED, translator.runtime()))
+    made, clock = Machine(), fitting.devices(["clock.py:KW8"])[0]
+    made.fit(clock())
+    made.load(program.read(Path("ticks.pal").read_bytes(), "ticks.pal").words)
+    made.start(0o200)
+    made.run(seconds=0.5)
+    went_on = """async (text) => {
+        const { restore } = await import("@/pdp8/computer/past/state.mjs");
+        const machine = restore(text);
+        const stop = machine.run();
+        return [String(stop.reason), stop.pc, machine.processor.clock];
+    }"""
+    text = state.save(made)
+    assert in_node(went_on, text, tmp_path / "page") == [*made.run()[:2], made.processor.clock]
+
+
 def test_the_monitor_fits_it_restores_it_and_steps_back(call: Call) -> None:
     Path("script").write_text(
         "load ticks.pal\ngo 200 0.5\nsave half.state\nexamine count\nrun 0.4\nback 1000\nrestore half.state\n"
@@ -56,11 +90,12 @@ def test_the_debugger_fits_it() -> None:
 
 
 def test_a_device_in_place_of_the_fast_reader_is_restored_as_itself() -> None:
-    clock = fitting.devices(["clock.py:KW8"])[0o13]
+    (clock,) = fitting.devices(["clock.py:KW8"])
+    clock.CODE = 0o01
     made = Machine()
-    made.bus.fit(0o01, clock())
+    made.fit(clock())
     text = state.save(made)
-    for again in (state.restore(text, {0o01: clock}), copy.deepcopy(made)):
+    for again in (state.restore(text, [clock()]), copy.deepcopy(made)):
         assert type(again.bus.device(0o01)) is clock
         assert state.save(again) == text
 
@@ -71,7 +106,9 @@ BODY = (
     " def pulse(self, iop, ac, now): return 0\n"
 )
 REFUSED = {
-    "clock.py": "clock.py: a file and the class in it expected, as in clock.py:KW8",
+    "clock.py": "clock.py: teletype and highspeed are devices; for one of your own FILE:CLASS, as in",
+    "highspeed --device highspeed": "highspeed: HighSpeed has device code 01 too",
+    "teletype": "Teletype: device 04 is fitted already",
     "none.py:KW8": "none.py: no such file",
     "ticks.pal:KW8": "ticks.pal: a device is in a Python file, NAME.py",
     "clock.py:KW9": "clock.py: there is no class KW9 in it",
@@ -79,8 +116,8 @@ REFUSED = {
     "broken.py:X": "broken.py, line 2: ZeroDivisionError: division by zero",
     "syntax.py:X": "syntax.py, line 1: SyntaxError: ",
     "leaves.py:X": "leaves.py, line 1: SystemExit: 3",
-    "wrong.py:Bare": "Bare has no method pulse, which a device has to have",
-    "wrong.py:Half": "Half has no method initialize, which a device has to have",
+    "wrong.py:Bare": "Bare: it has no method pulse, which a device has to have",
+    "wrong.py:Half": "Half: it has no method initialize, which a device has to have",
     "wrong.py:Nowhere": "Nowhere: device code 0: 01 to 77 are allowed",
     "wrong.py:Beyond": "Beyond: device code 100: 01 to 77 are allowed",
     "wrong.py:Printer": "Printer: device 04 is fitted already",
@@ -111,21 +148,21 @@ def test_what_is_no_device_is_refused(call: Call) -> None:
 
 
 def test_a_bus_refuses_by_name() -> None:
-    clock = fitting.devices(["clock.py:KW8"])[0o13]
+    (clock,) = fitting.devices(["clock.py:KW8"])
     for code in (0, -1, 0o100):
         with pytest.raises(ValueError, match="01 to 77 are allowed"):
-            Machine().bus.fit(code, clock())
+            Machine().bus.connect(code, HighSpeed().reader_control)
     made = Machine()
-    fitting.fit(made, {0o13: clock})
+    fitting.fit(made, [clock])
     with pytest.raises(WorkError, match="KW8: device 13 is fitted already"):
-        fitting.fit(made, {0o13: clock})
+        fitting.fit(made, [clock])
 
 
 def test_an_error_in_a_device_names_its_line_and_none_of_ours_is_hidden(
     call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     clock = Path("clock.py").read_text()
-    pulse = "    def pulse(self, iop, ac, now):\n"
+    pulse = "    def pulse(self, iop: int, ac: int, now: int) -> int:\n"
     assert pulse in clock
     Path("clock.py").write_text(clock.replace(pulse, f"{pulse}        1 // 0\n"))
     line = clock[: clock.index(pulse)].count("\n") + 2

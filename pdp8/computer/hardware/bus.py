@@ -10,16 +10,29 @@ itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a
 which its flag changes next; it is brought up to date when its state is needed.
 
 A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
-holds of it, and Bus.fit connects it (docs/pdp8.md has one as an example).
+holds of it, and Machine.fit connects it (docs/pdp8.md has one as an example).
 
 Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 """
 
 from collections.abc import Iterator
+from typing import Protocol
 
 from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
 from pdp8.computer.hardware.signals import CLEAR_AC, IOP1, IOP2, IOP4, NEVER, SKIP
+
+
+class Peripheral(Protocol):
+    """What a machine is fitted with: one device, or several that belong together."""
+
+    NAME: str
+    """What commands call it."""
+    CODE: int
+    """Its device code, or the first of its codes."""
+
+    def connect(self, bus: "Bus") -> None:
+        """Connect every device of it to the bus."""
 
 
 class Device:
@@ -27,8 +40,10 @@ class Device:
 
     fields = saved(flag=BIT, tested=BIT, due=TICK)
     """What a saved state holds of the device: its attributes, and how each is written (see fields.py)."""
+    NAME = ""
+    """What commands call it, if they know it."""
     CODE = 0
-    """The device code of a class that `--device` fits."""
+    """The device code."""
 
     def __init__(self) -> None:
         self.code = 0
@@ -38,6 +53,10 @@ class Device:
         self.tested = 0
         """Set by IOP1, until the bus forgets the tests."""
         self.due = NEVER
+
+    def connect(self, bus: "Bus") -> None:
+        """Connect the device to the bus, under its CODE."""
+        bus.connect(self.CODE, self)
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
@@ -86,25 +105,14 @@ class Bus:
             yield device
             device = device.behind
 
-    def fit(self, code: int, device: Device) -> None:
-        """Connect a device of anybody's under `code` (0o01 to 0o77).
-
-        Raises ValueError as `connect` does, for a code to which no device can answer, and for a device that
-        lacks one of the methods it has to have.
-        """
-        if not 0o01 <= code <= 0o77:
-            raise ValueError(f"device code {code:o}: 01 to 77 are allowed")
-        made = type(device)
-        for name in ("pulse", "advance", "initialize"):
-            if getattr(made, name) is getattr(Device, name):
-                raise ValueError(f"{made.__name__} has no method {name}, which a device has to have")
-        self.connect(code, device)
-
     def connect(self, code: int, device: Device) -> None:
         """Connect `device` under `code`, in front of those already there.
 
-        Raises ValueError if it is connected, or another one answers to that code.
+        Raises ValueError for a code to which no device can answer, if the device is connected, and if another
+        one answers to that code.
         """
+        if not 0o01 <= code <= 0o77:
+            raise ValueError(f"device code {code:o}: 01 to 77 are allowed")
         if device.code or self.device(code) is not None:
             raise ValueError(f"device {code:02o} is fitted already")
         device.code = code

@@ -132,6 +132,9 @@ class PunchControl(Device):
 class HighSpeed:
     """The reader and the punch of the PC8/L."""
 
+    NAME = "highspeed"
+    CODE = 0o01
+
     def __init__(self) -> None:
         self.reader_control = ReaderControl()
         self.punch_control = PunchControl()
@@ -142,5 +145,5 @@ class HighSpeed:
     def connect(self, bus: Bus) -> None:
         """Connect both to the bus."""
         self.fitted = True
-        bus.connect(0o01, self.reader_control)
+        bus.connect(self.CODE, self.reader_control)
         bus.connect(0o02, self.punch_control)

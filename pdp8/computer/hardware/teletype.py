@@ -583,6 +583,9 @@ class Transmitter(Device):
 class Teletype:
     """The whole ASR-33, on line, its punch on and its reader's lever at START."""
 
+    NAME = "teletype"
+    CODE = 0o03
+
     def __init__(self) -> None:
         self.receiver = Receiver()
         self.transmitter = Transmitter()
@@ -594,4 +597,4 @@ class Teletype:
     def connect(self, bus: Bus) -> None:
         """Connect both interfaces to the bus, under the console's codes."""
         bus.connect(0o04, self.transmitter)
-        bus.connect(0o03, self.receiver)
+        bus.connect(self.CODE, self.receiver)

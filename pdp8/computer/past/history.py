@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import NamedTuple
 
-from pdp8.computer.hardware.fields import Values, changed, size
+from pdp8.computer.hardware.fields import Values, changed, size, walk
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Printer, Punch
 from pdp8.computer.machine import Machine
@@ -199,11 +199,8 @@ class History:
         machine, watch = self.machine, self.machine.watch
         now = self._values()
         self._note(now)
-        heard: list[Printer | Punch] = [
-            machine.teletype.printer,
-            machine.teletype.punch,
-            machine.highspeed.punch,
-        ]
+        parts = [part for _, part in walk(machine.parts())]
+        heard = [part for part in parts if isinstance(part, (Printer, Punch))]
         callbacks = [device.on_frame for device in heard]
         machine.recorder, machine.watch = None, Watch(again=True)
         for device in heard:

@@ -14,12 +14,14 @@ Breakpoints and observers are not part of the machine, and not saved.
 
 import json
 from array import array
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.bus import Device, Peripheral
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Values, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER
+from pdp8.computer.hardware.teletype import Reader, Teletype
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
@@ -82,20 +84,15 @@ LARGEST = 48 << 20
 """Bytes of a saved state: five tapes of 2 MiB, four bytes a frame and some more."""
 
 
-def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Machine:
+def restore(text: str, fitted: Iterable[Peripheral] = ()) -> Machine:
     """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
     StateError.
 
-    `others` are the classes of devices that are fitted beside the Teletype and the PC8/L, by their codes;
-    what the state does not name of them is as at power-up.
+    It has the new devices `fitted`, and those of devices.py that the state names besides.
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
-    others = others or {}
-    machine = Machine(highspeed="01" in devices and 0o01 not in others)
-    for code, device in others.items():
-        if machine.bus.device(code) is None:
-            machine.bus.connect(code, device())
+    machine = Machine(_fitted(devices, fitted))
     for number, fields in devices.items():
         _check_device(machine, number, fields)
     core = _copy(state.get("core", {}), "core", machine.processor.core)
@@ -108,11 +105,23 @@ def restore(text: str, others: Mapping[int, type[Device]] | None = None) -> Mach
             if kind != PART:
                 values[place] = _read(kind, given, place, core)
     machine.put(values)
-    for fitted in machine.bus:
-        if f"devices {fitted.code:02o} due" not in values:
-            fitted.restored()
+    for device in machine.bus:
+        if f"devices {device.code:02o} due" not in values:
+            device.restored()
     _check(machine)
     return machine
+
+
+def _fitted(saved: Mapping[str, Any], fitted: Iterable[Peripheral]) -> list[Peripheral]:
+    """Return the devices of a machine with `fitted`, and with those we have of what was `saved`."""
+    by_code = {device.CODE: device for device in fitted}
+    found: list[Peripheral] = []
+    for known in one_of_each():
+        if known.CODE in by_code:
+            found.append(by_code.pop(known.CODE))
+        elif f"{known.CODE:02o}" in saved or isinstance(known, Teletype):
+            found.append(known)
+    return [*found, *by_code.values()]
 
 
 def _parsed(text: str) -> dict[str, Any]:
@@ -220,9 +229,9 @@ def _copy(value: object, place: str, core: "array[int]") -> "array[int]":
 
 def _check(machine: Machine) -> None:
     """Raise StateError for fields that contradict each other."""
-    for reader in (machine.teletype.reader, machine.highspeed.reader):
-        if reader.position > len(reader.tape):
-            raise StateError(f"the reader stands at frame {reader.position} of a tape of {len(reader.tape)}")
+    for _, part in walk(machine.parts()):
+        if isinstance(part, Reader) and part.position > len(part.tape):
+            raise StateError(f"the reader stands at frame {part.position} of a tape of {len(part.tape)}")
     p, waiting = machine.processor, machine.waiting
     if waiting.clock > p.clock or waiting.instructions > p.instructions:
         raise StateError("waiting: its clock and instructions lie after those of the processor")

@@ -6,6 +6,7 @@
 // stands still when nothing in it moves.
 
 import { clock, Kind } from "../../replay/day.mjs";
+import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
 import { bounds } from "../bench/path.mjs";
@@ -144,7 +145,7 @@ export class Room {
   /** Go to the desk, where a first program is written and runs. */
   program() {
     this.live = false;
-    this.own ??= new Machine(true); // with a page of its own
+    this.own ??= new Machine(one_of_each()); // with a page of its own
     this.leave();
     this.bench.first();
   }

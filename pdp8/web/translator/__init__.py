@@ -26,7 +26,7 @@ MODULES = {
     "pal": "assembler assembling assembly diagnostics dialects disassembler isa listing meaning"
     " messages models notes pal8 punch recognition review source symbols symbols8 table watched work3 work8",
     "pdp8.computer": "machine stop watch",
-    "pdp8.computer.hardware": "bus core fields highspeed operate panel processor signals teletype",
+    "pdp8.computer.hardware": "*",
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "goals keys operator program trace waits",
@@ -37,12 +37,11 @@ MODULES = {
     " piecewise points polynomial printout profile slope stepwise stretches units",
     "pdp8.web": "findings loosened method passing",
 }
-"""What is translated."""
+"""What is translated: of each package some modules, or all."""
 
 OMITTED = {
     "pal.assembly": "__repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
-    "pdp8.computer.hardware.bus": "fit",
     "pdp8.computer.machine": "__reduce__ _copied count",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement"
     " _bin_tape _eia_tape",
@@ -75,9 +74,15 @@ def faults() -> list[str]:
 def _sources() -> dict[str, tuple[str, str]]:
     return {
         f"{package}.{name}": _source(package, name)
-        for package in MODULES
-        for name in MODULES[package].split()
+        for package, names in MODULES.items()
+        for name in (_all(package) if names == "*" else names.split())
     }
+
+
+def _all(package: str) -> list[str]:
+    top, *within = package.split(".")
+    names = [path.name for path in files(top).joinpath(*within).iterdir()]
+    return sorted(name[:-3] for name in names if name.endswith(".py") and name != "__init__.py")
 
 
 def _source(package: str, name: str) -> tuple[str, str]:

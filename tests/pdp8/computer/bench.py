@@ -28,7 +28,9 @@ def machine(
     """Return a machine with `core(words)` and a tape in its reader, started at 0200, then `registers` set;
     `form` is one of the package's, else the one in use.
     """
-    made: Machine = (machine_module(form).Machine if form else Machine)(highspeed)
+    made: Machine = (machine_module(form).Machine if form else Machine)()
+    if highspeed:
+        made.fit(made.highspeed)
     made.load(core(words))
     if tape is not None:
         (made.highspeed if highspeed else made.teletype).reader.load(tape)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.monitor.arguments import MonitorError, Quoted
 from pdp8.monitor.commands import find
@@ -21,7 +22,7 @@ LONGEST = (
 
 @pytest.mark.parametrize("line", LONGEST.split("; "))
 def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
-    monitor = Monitor(lambda line: None, Machine(highspeed=True))
+    monitor = Monitor(lambda line: None, Machine(one_of_each()))
     with pytest.raises(MonitorError, match="SURPLUS"):
         do(monitor, f"{line} SURPLUS")
     assert (monitor.machine.ticks, monitor.machine.core[0o200], monitor.finished) == (0, 0, False)
@@ -29,7 +30,7 @@ def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
 
 def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -> None:
     """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `/`."""
-    monitor = Monitor(lambda line: None, Machine(highspeed=True))
+    monitor = Monitor(lambda line: None, Machine(one_of_each()))
     for line in ("deposit 200 6014 6011 5201 6012 6026 7402", "fast-reader hello.pal", "go 200 1", "wait 1"):
         do(monitor, line)
     do(monitor, f"fast-punch {tmp_path}/x")

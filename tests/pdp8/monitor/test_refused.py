@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.monitor.commands import COMMANDS
@@ -104,7 +105,7 @@ def room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor]:
     (tmp_path / "kept").chmod(0o444)
     (tmp_path / "soft").symlink_to("in.asc")
     (tmp_path / "locked").mkdir(mode=0o555)
-    made = Monitor(lambda _: None, Machine(True))
+    made = Monitor(lambda _: None, Machine(one_of_each()))
     with shelf.watched():
         do(
             made,

@@ -6,6 +6,7 @@ Both are asked in the same words: a script of the page, and a condition to wait 
 import base64
 
 from pdp8 import shelf
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.state import LARGEST, restore, save
 from tests.pdp8.web.browsing import Tab
@@ -76,7 +77,7 @@ def test_states_and_tapes_go_in_and_out(tab: Tab) -> None:
 
     A punched tape is saved; torn off, it goes from the shelf into the reader, and the punch is empty.
     """
-    machine = Machine(highspeed=True)
+    machine = Machine(one_of_each())
     machine.load({0o200: 0o6032, 0o201: 0o6031, 0o202: 0o5201})
     machine.teletype.reader.load(b"\xc1\xc2\xc3")
     machine.start(0o200)

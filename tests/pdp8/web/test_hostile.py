@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.state import save
 from pdp8.lessons import form, student
@@ -102,7 +103,7 @@ def test_files(page: Page) -> None:
 @pytest.mark.slow("each word, key and device of a state, 12 s")
 def test_a_state(page: Page) -> None:
     """Each word, key and device of one; the message quotes it."""
-    state = json.loads(save(Machine(highspeed=True)))
+    state = json.loads(save(Machine(one_of_each())))
     for spoilt in [*_spoilt(state), *_spoilt(state, keys=True)]:
         _drop(page, "noon.state", json.dumps(spoilt))
         page.wait_for_timeout(10)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import pal
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 
 FOLDER = Path(__file__).parent / "interrupts"
@@ -18,7 +19,7 @@ def test_program(path: Path) -> None:
     """CONT is pressed at STOPS."""
     assembly = pal.assemble(path.read_text())
     assert assembly.ok
-    m = Machine(highspeed=True)
+    m = Machine(one_of_each())
     m.load(assembly.words)
     m.highspeed.reader.load(b"\1")
     if "KSF" in path.read_text():

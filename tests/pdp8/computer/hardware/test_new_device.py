@@ -11,6 +11,7 @@ import json
 import pytest
 
 from pdp8.computer.hardware.bus import Device
+from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.fields import BIT, TICK, saved
 from pdp8.computer.hardware.signals import NEVER, SKIP
 from pdp8.computer.machine import Machine
@@ -23,6 +24,7 @@ MILLISECOND = 20_000
 class Clock(Device):
     """Raises its flag again and again."""
 
+    CODE = 0o05
     fields = saved(flag=BIT, due=TICK, period=TICK)
 
     def __init__(self) -> None:
@@ -53,7 +55,7 @@ class Clock(Device):
 def ticking() -> Machine:
     """TAD 20, 6054, ION, JMP .; at 0001: ISZ 10, 6052, ION, JMP I 0."""
     made = Machine()
-    made.bus.fit(0o05, Clock())
+    made.fit(Clock())
     made.load(core("1020 6054 6001 5203 0/ 0 2010 6052 6001 5400 20/ 24"))
     made.start(0o200)
     made.run(seconds=0.5)
@@ -61,10 +63,10 @@ def ticking() -> Machine:
 
 
 def test_a_code_is_fitted_once() -> None:
-    m = Machine(highspeed=True)
+    m = Machine(one_of_each())
     assert (Machine().highspeed.fitted, m.highspeed.fitted) == (False, True)
     with pytest.raises(ValueError, match="device 01 is fitted already"):
-        m.highspeed.connect(m.bus)
+        m.fit(m.highspeed)
 
 
 def test_it_skips_and_interrupts(ticking: Machine) -> None:
@@ -76,7 +78,7 @@ def test_its_state_is_saved_and_copied(ticking: Machine) -> None:
     text = state.save(ticking)
     due = ticking.bus.next_event(ticking.processor.clock)
     assert json.loads(text)["devices"]["05"] == {"device": "Clock", "flag": 0, "due": due, "period": 400_000}
-    restored, copied = state.restore(text, {0o05: Clock}), copy.deepcopy(ticking)
+    restored, copied = state.restore(text, [Clock()]), copy.deepcopy(ticking)
     for each in (ticking, restored, copied):
         each.run(seconds=0.5)
     assert state.save(restored) == state.save(copied) == state.save(ticking)
@@ -86,8 +88,8 @@ def test_its_state_is_saved_and_copied(ticking: Machine) -> None:
 
 def with_flag(words: str, code: int, rises: int) -> Machine:
     """Return a machine with a clock whose flag rises once, at a tick."""
-    clock, made = Clock(), Machine()
-    made.bus.fit(code, clock)
+    clock, made = type("Coded", (Clock,), {"CODE": code})(), Machine()
+    made.fit(clock)
     made.load(core(words))
     made.start(0o200)
     clock.due, clock.period = rises, 1 << 40

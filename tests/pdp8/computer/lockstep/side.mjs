@@ -18,7 +18,8 @@ const plain = (value) => (typeof value === "object" ? Buffer.from(value).toStrin
 
 class Side {
   constructor({ fast, words, paths }) {
-    this.machine = new Machine(fast);
+    this.machine = new Machine();
+    if (fast) this.machine.fit(this.machine.highspeed);
     this.machine.load(words);
     this.paths = paths.map((path) => [path, path.split(".")]);
     this.marks = [];

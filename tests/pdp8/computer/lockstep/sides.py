@@ -86,7 +86,9 @@ class InPython(Side):
     def __init__(self, form: str, situation: Situation) -> None:
         super().__init__()
         self.module = partial(module, form)
-        self.machine = self.module("pdp8.computer.machine").Machine(highspeed=situation.fast)
+        self.machine = self.module("pdp8.computer.machine").Machine()
+        if situation.fast:
+            self.machine.fit(self.machine.highspeed)
         self.machine.load(situation.words)
         self.paths = list(seen_of(situation.fast))
         self.count_delays = True

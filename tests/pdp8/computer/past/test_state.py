@@ -68,7 +68,8 @@ def test_every_attribute_of_a_device_is_in_its_fields_or_fixed() -> None:
     """A plain machine has a dictionary of attributes: what `fields` leave out is wired, or not of the run."""
     fixed = {"code", "behind", "bus", "device", "processor", "on_frame", "more", *PARTS}
     fixed |= {"core", "_core", "forms", "_words", "first", "endless", "turn_first"}
-    m = machine_module("plain").Machine(highspeed=True)
+    m = machine_module("plain").Machine()
+    m.fit(m.highspeed)
     parts = [m.processor, m.bus, m.waiting, m.waiting.left, *m.bus]
     parts += [getattr(device, name) for device in m.bus for name in PARTS if hasattr(device, name)]
     assert len(parts) == 14

@@ -215,7 +215,8 @@ def test_a_loader_slower_than_its_limit_is_named_with_the_limit_and_the_way_on()
 
 
 def test_the_high_speed_reader_by_switch_0_down() -> None:
-    m = Machine(highspeed=True)
+    m = Machine()
+    m.fit(m.highspeed)
     m.load(assembly("bin").words)
     m.highspeed.reader.load(TWO_WORDS)
     m.sr = 0o3777
