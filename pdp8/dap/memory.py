@@ -18,9 +18,9 @@ from tapes.errors import WorkError
 _CORE = f">{SIZE}H"
 
 
-def read_memory(room: Debuggee, arguments: Body) -> Body:
+def read_memory(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the bytes that were asked for, or as many as there are."""
-    content = struct.pack(_CORE, *room.monitor.machine.core)
+    content = struct.pack(_CORE, *debuggee.monitor.machine.core)
     begin = min(max(_first(arguments), 0), len(content))
     count = max(arguments["count"], 0)
     found = content[begin : begin + count]
@@ -31,13 +31,13 @@ def read_memory(room: Debuggee, arguments: Body) -> Body:
     }
 
 
-def write_memory(room: Debuggee, arguments: Body) -> Body:
+def write_memory(debuggee: Debuggee, arguments: Body) -> Body:
     """Put bytes into core; return how many. Raises WorkError, and then writes none."""
     try:
         given = base64.b64decode(arguments["data"], validate=True)
     except binascii.Error as error:
         raise WorkError(f"the bytes to write are not in base64: {error}") from error
-    core = room.monitor.machine.core
+    core = debuggee.monitor.machine.core
     content, start = bytearray(struct.pack(_CORE, *core)), _first(arguments)
     if not 0 <= start <= len(content) - len(given):
         raise WorkError(f"bytes {start:x} to {start + len(given):x}: core has 0 to {len(content):x}")
@@ -54,18 +54,18 @@ def _first(arguments: Body) -> int:
     return byte(arguments["memoryReference"], arguments.get("offset") or 0)
 
 
-def disassemble(room: Debuggee, arguments: Body) -> Body:
+def disassemble(debuggee: Debuggee, arguments: Body) -> Body:
     start = place(arguments["memoryReference"], arguments.get("offset") or 0)
     start += arguments.get("instructionOffset") or 0
     addresses = range(start, start + min(arguments["instructionCount"], SIZE))
-    return {"instructions": [_disassembled(room, address) for address in addresses]}
+    return {"instructions": [_disassembled(debuggee, address) for address in addresses]}
 
 
-def _disassembled(room: Debuggee, address: int) -> Body:
+def _disassembled(debuggee: Debuggee, address: int) -> Body:
     """Return the DisassembledInstruction at `address`; one outside core is invalid."""
     if not 0 <= address < SIZE:
         return {"address": str(BYTES * address), "instruction": "", "presentationHint": "invalid"}
-    word, listing = room.monitor.machine.core[address], room.monitor.listing
+    word, listing = debuggee.monitor.machine.core[address], debuggee.monitor.listing
     text = f"{address:04o}  {instruction(address, word)}"
     names = [name for name, value in listing.symbols.items() if value == address and address in listing.words]
     described = {"address": reference(address), "instructionBytes": f"{word:04o}", "instruction": text}

@@ -35,39 +35,39 @@ _LIT, _DARK = "\N{BLACK CIRCLE}", "\N{WHITE CIRCLE}"
 _ROWS = {"ma": 12, "mb": 12, "ac": 12, "ir": 3}
 
 
-def stack_trace(room: Debuggee, arguments: Body) -> Body:
+def stack_trace(debuggee: Debuggee, arguments: Body) -> Body:
     """Return where the machine is, and who called."""
-    machine = room.monitor.machine
+    machine = debuggee.monitor.machine
     found = calls.frames(list(machine.core), machine.pc, machine.ion)
     start = arguments.get("startFrame") or 0
     end = start + (arguments.get("levels") or len(found))
-    frames = [_frame(room, number, frame) for number, frame in enumerate(found)]
+    frames = [_frame(debuggee, number, frame) for number, frame in enumerate(found)]
     return {"stackFrames": frames[start:end], "totalFrames": len(found)}
 
 
-def _frame(room: Debuggee, number: int, frame: calls.Frame) -> Body:
-    place = room.places.at(frame.address) if room.knows_source else None
+def _frame(debuggee: Debuggee, number: int, frame: calls.Frame) -> Body:
+    place = debuggee.places.at(frame.address) if debuggee.knows_source else None
     return {
         "id": number,
-        "name": f"{frame.address:04o}  {_routine(room, frame.entry)}",
+        "name": f"{frame.address:04o}  {_routine(debuggee, frame.entry)}",
         "instructionPointerReference": reference(frame.address),
         **(place or {"line": 0, "column": 0}),
     }
 
 
-def _routine(room: Debuggee, entry: int | None) -> str:
+def _routine(debuggee: Debuggee, entry: int | None) -> str:
     if not entry:
         return "main program" if entry is None else "interrupt"
-    names = (name for name, value in room.monitor.listing.symbols.items() if value == entry)
+    names = (name for name, value in debuggee.monitor.listing.symbols.items() if value == entry)
     return next(names, f"{entry:04o}")
 
 
-def source(room: Debuggee, arguments: Body) -> Body:
+def source(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the listing that stands for the source of a tape."""
-    return {"content": "\n".join(room.places.listing.lines) + "\n"}
+    return {"content": "\n".join(debuggee.places.listing.lines) + "\n"}
 
 
-def scopes(room: Debuggee, arguments: Body) -> Body:
+def scopes(debuggee: Debuggee, arguments: Body) -> Body:
     named = {"Registers": REGISTERS, "Lamps": LAMPS, "Symbols": SYMBOLS, "Devices": DEVICES}
     return {
         "scopes": [
@@ -78,14 +78,14 @@ def scopes(room: Debuggee, arguments: Body) -> Body:
     }
 
 
-def variables(room: Debuggee, arguments: Body) -> Body:
+def variables(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the variables of a scope or of a device's part."""
-    return {"variables": list(_variables(room.monitor, arguments["variablesReference"]))}
+    return {"variables": list(_variables(debuggee.monitor, arguments["variablesReference"]))}
 
 
-def set_variable(room: Debuggee, arguments: Body) -> Body:
+def set_variable(debuggee: Debuggee, arguments: Body) -> Body:
     """Set a variable; return it as it is then."""
-    monitor, number, name = room.monitor, arguments["variablesReference"], arguments["name"]
+    monitor, number, name = debuggee.monitor, arguments["variablesReference"], arguments["name"]
     value = arguments["value"].strip()
     if number == REGISTERS:
         hands.set_(monitor, name.lower().replace(" ", "_"), value)
@@ -100,13 +100,13 @@ def set_variable(room: Debuggee, arguments: Body) -> Body:
     return {"value": now.get(name, "")}
 
 
-def data_info(room: Debuggee, arguments: Body) -> Body:
+def data_info(debuggee: Debuggee, arguments: Body) -> Body:
     """Say whether a word can be watched: that of a symbol or an address."""
     name, scope = arguments["name"], arguments.get("variablesReference") or SYMBOLS
     try:
         if scope != SYMBOLS:
             raise WorkError(f"{name}: words of core alone are watched")
-        address = room.monitor.address(name)
+        address = debuggee.monitor.address(name)
     except WorkError as error:
         return {"dataId": None, "description": str(error)}
     return {
@@ -116,26 +116,26 @@ def data_info(room: Debuggee, arguments: Body) -> Body:
     }
 
 
-def evaluate(room: Debuggee, arguments: Body) -> Body:
+def evaluate(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the value of an expression, or the monitor's answer to a line of the console."""
     line = arguments["expression"].strip()
-    named = line not in room.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
+    named = line not in debuggee.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
     at_console = arguments.get("context") == "repl"
     if not (at_console and named):
         try:
-            return {"variablesReference": 0, **_value_of(room.monitor, line)}
+            return {"variablesReference": 0, **_value_of(debuggee.monitor, line)}
         except MonitorError:
             if not at_console:
                 raise
-    do(room.monitor, line)
-    said = "\n".join(room.said)
-    room.said.clear()
+    do(debuggee.monitor, line)
+    said = "\n".join(debuggee.said)
+    debuggee.said.clear()
     return {"result": said, "variablesReference": 0}
 
 
-def set_expression(room: Debuggee, arguments: Body) -> Body:
+def set_expression(debuggee: Debuggee, arguments: Body) -> Body:
     """Set a register, or the word at a symbol or an address; return it as it is then."""
-    monitor, name, value = room.monitor, arguments["expression"].strip(), arguments["value"].strip()
+    monitor, name, value = debuggee.monitor, arguments["expression"].strip(), arguments["value"].strip()
     if hands.is_register(monitor, name):
         hands.set_(monitor, name, value)
     else:
@@ -143,37 +143,37 @@ def set_expression(room: Debuggee, arguments: Body) -> Body:
     return {"value": _value_of(monitor, name)["result"]}
 
 
-def set_lines(room: Debuggee, arguments: Body) -> Body:
+def set_lines(debuggee: Debuggee, arguments: Body) -> Body:
     """Set the breakpoints of a source, in place of those before."""
     source = arguments["source"]
     asked = [(point["line"], {**point, "source": source}) for point in arguments.get("breakpoints") or ()]
     name = str(source.get("path") or source.get("sourceReference") or "")
-    return {"breakpoints": room.breakpoints.put(room.monitor, room.places, LINES, name, asked)}
+    return {"breakpoints": debuggee.breakpoints.put(debuggee.monitor, debuggee.places, LINES, name, asked)}
 
 
 def setting(kind: str, *names: str) -> Callable[[Debuggee, Body], Body]:
     """Return what sets the breakpoints of a kind; what `names` say of one tells it from others."""
 
-    def set_(room: Debuggee, arguments: Body) -> Body:
+    def set_(debuggee: Debuggee, arguments: Body) -> Body:
         asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]
-        return {"breakpoints": room.breakpoints.put(room.monitor, room.places, kind, "", asked)}
+        return {"breakpoints": debuggee.breakpoints.put(debuggee.monitor, debuggee.places, kind, "", asked)}
 
     return set_
 
 
-def goto_targets(room: Debuggee, arguments: Body) -> Body:
+def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the word that a line makes, as a place to go on from."""
-    found = room.places.first_from(arguments["source"], arguments["line"])
+    found = debuggee.places.first_from(arguments["source"], arguments["line"])
     if found is None:
         return {"targets": []}
     address, line = found
     return {"targets": [{"id": address, "label": f"{address:04o}", "line": line}]}
 
 
-def completions(room: Debuggee, arguments: Body) -> Body:
+def completions(debuggee: Debuggee, arguments: Body) -> Body:
     """Return what a line of the console may go on with: commands first, then registers and symbols."""
     begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
-    known = [*hands.REGISTERS, *room.monitor.listing.symbols]
+    known = [*hands.REGISTERS, *debuggee.monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
     typed = begun[2].upper()
     found = [name if name in COMMANDS else name.upper() for name in names]

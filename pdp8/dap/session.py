@@ -49,7 +49,7 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "setInstructionBreakpoints": scopes.setting(INSTRUCTIONS, "instructionReference", "offset"),
     "setDataBreakpoints": scopes.setting(DATA, "dataId", "accessType"),
     "dataBreakpointInfo": scopes.data_info,
-    "setExceptionBreakpoints": lambda room, arguments: {},
+    "setExceptionBreakpoints": lambda debuggee, arguments: {},
     "stackTrace": scopes.stack_trace,
     "source": scopes.source,
     "scopes": scopes.scopes,
@@ -158,15 +158,15 @@ class Session:
             return self._requests[name](arguments)
         if name not in _OF_THE_MACHINE:
             raise WorkError(f"{name}: this debugger has no such request")
-        room = self._loaded
-        moment = room.moment
+        debuggee = self._loaded
+        moment = debuggee.moment
         try:
-            return _OF_THE_MACHINE[name](room, arguments)
+            return _OF_THE_MACHINE[name](debuggee, arguments)
         finally:
-            if room.monitor.finished:
+            if debuggee.monitor.finished:
                 self._after.append(self._finish)
-            elif room.moment != moment:  # a command of the monitor has moved the machine
-                halt = room.stands()
+            elif debuggee.moment != moment:  # a command of the monitor has moved the machine
+                halt = debuggee.stands()
                 if not self._runs or halt.reason != "pause":
                     self._moved(halt)
 
@@ -195,11 +195,11 @@ class Session:
         self._after.append(lambda: self._wire.event("initialized"))
 
     def _begin(self, arguments: Body) -> None:
-        room = self._loaded
-        if room.launch.stopOnEntry and not room.launch.noDebug:
+        debuggee = self._loaded
+        if debuggee.launch.stopOnEntry and not debuggee.launch.noDebug:
             self._moved(Halt("entry"))
         else:
-            self._run(room)
+            self._run(debuggee)
 
     def _restart(self, arguments: Body) -> None:
         given = arguments.get("arguments")
@@ -226,12 +226,12 @@ class Session:
         return {"allThreadsContinued": True}
 
     def _step_out(self, arguments: Body) -> None:
-        room = self._standing
-        self._run(room, motion.out(room.monitor.machine))
+        debuggee = self._standing
+        self._run(debuggee, motion.out(debuggee.monitor.machine))
 
     def _back(self, arguments: Body) -> None:
         """Go back to the last breakpoint, telling how far the search has come; a pause ends it."""
-        room, shown = self._standing, monotonic()
+        debuggee, shown = self._standing, monotonic()
         began = False
 
         def look(part: float) -> None:
@@ -245,23 +245,23 @@ class Session:
                 self._wire.event("progressUpdate", progressId=_BACK, percentage=round(100 * part))
 
         try:
-            self._moved(room.back_to(look))
+            self._moved(debuggee.back_to(look))
         finally:
             if began:
                 self._wire.event("progressEnd", progressId=_BACK)
 
     def _goto(self, arguments: Body) -> None:
         """Go on from another address: set the PC."""
-        room = self._standing
-        room.monitor.machine.pc = arguments["targetId"]
+        debuggee = self._standing
+        debuggee.monitor.machine.pc = arguments["targetId"]
         self._moved(Halt("goto"))
 
     def _pause(self, arguments: Body) -> None:
         if self._runs:
             self._moved(Halt("pause"))
 
-    def _run(self, room: Debuggee, goal: motion.Goal | None = None) -> None:
-        room.run(goal)
+    def _run(self, debuggee: Debuggee, goal: motion.Goal | None = None) -> None:
+        debuggee.run(goal)
         self._moved(None)
 
     def _moved(self, halt: Halt | None) -> None:
@@ -273,9 +273,9 @@ class Session:
 
     def _advance(self) -> None:
         """Let the machine run on for a slice."""
-        room = self._loaded
-        halt = room.advance()
-        self._tell(room)
+        debuggee = self._loaded
+        halt = debuggee.advance()
+        self._tell(debuggee)
         if halt is not None and halt.reason:
             self._stopped(halt)
         elif halt is not None and halt.description != self._waits:
@@ -283,14 +283,14 @@ class Session:
             self._put_out("console", f"{halt.description}\n")
 
     def _stopped(self, halt: Halt) -> None:
-        room = self._loaded
+        debuggee = self._loaded
         self._runs = False
-        room.pause()
-        self._take_off(room)
-        room.sources_changed()
-        self._tell(room)
+        debuggee.pause()
+        self._take_off(debuggee)
+        debuggee.sources_changed()
+        self._tell(debuggee)
         self._put_out("console", halt.description and f"{halt.description}\n")
-        if room.launch.noDebug:
+        if debuggee.launch.noDebug:
             self._finish()
             return
         more: Body = {"hitBreakpointIds": list(halt.breakpoints)} if halt.breakpoints else {}
@@ -298,17 +298,17 @@ class Session:
             more["description"] = more["text"] = halt.description
         self._wire.event("stopped", reason=halt.reason, threadId=_THREAD, allThreadsStopped=True, **more)
 
-    def _tell(self, room: Debuggee) -> None:
+    def _tell(self, debuggee: Debuggee) -> None:
         """Show what was printed, and what the monitor says."""
-        self._put_out("console", room.notes())
-        self._put_out("stdout", room.typed())
+        self._put_out("console", debuggee.notes())
+        self._put_out("stdout", debuggee.typed())
 
     def _put_out(self, category: str, text: str) -> None:
         if text:
             self._wire.event("output", category=category, output=text)
 
-    def _take_off(self, room: Debuggee) -> None:
+    def _take_off(self, debuggee: Debuggee) -> None:
         try:
-            room.take_off()
+            debuggee.take_off()
         except WorkError as error:
             self._put_out("stderr", f"{error}\n")
