@@ -55,13 +55,7 @@ HINTS = {
     FIRST: "What is in the AC, and in L, before the first?",
     SHIFTED: "From there on all is moved by one: one is lost, or comes twice.",
     PARITY: "The characters are right; the channel for parity is not.",
-    ONE_OFF: "It is wrong by one: is there one turn of a loop, or one IAC, too many or too few?",
-    NEGATIVE: "It is the negative of what is wanted.",
 }
-WEAK = ("", HINTS[FIRST], HINTS[SHIFTED], HINTS[PARITY], HINTS[ONE_OFF], HINTS[NEGATIVE], HINTS[LONG])
-"""Hints in whose place what all trials show is said."""
-CHANCE = (HINTS[ONE_OFF], HINTS[NEGATIVE])
-"""Hints that one trial alone does not bear out."""
 _KRB = 0o6036
 _INPUTS = (0o6031, 0o6011)
 _OUTPUTS = (0o6041, 0o6021)

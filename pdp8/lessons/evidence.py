@@ -100,28 +100,33 @@ def of_characters(seen: Sequence[Text], codes: bool) -> str:
     several = [each for each in seen if len(each.got) > 1]
     if len(seen) < _TRIALS or len(wrong) < 2:
         return ""
-    if len(several) > 1 and all(len(set(each.got)) == 1 for each in several):
-        return "The same character comes again and again."
-    if all(list(each.got) == list(reversed(each.expected)) for each in seen):
-        return "They come in the opposite order."
-    if all(list(each.got) == list(each.read) for each in seen):
-        return "They come out as they went in."
-    if not codes and all(_in_octal(each) for each in seen):
-        return "These are the digits in octal."
-    for said, differ in (
-        ("come after the last", [_rest(each.expected, each.got, front=True) for each in seen]),
-        ("come before the first", [_rest(each.expected, each.got, front=False) for each in seen]),
-    ):
-        if min(differ) > 0:
-            count = f"{differ[0]}" if len(set(differ)) == 1 else "Some"
-            return f"{count} too many {said}."
-    for said, differ in (
-        ("last", [_rest(each.got, each.expected, front=True) for each in seen]),
-        ("first", [_rest(each.got, each.expected, front=False) for each in seen]),
-    ):
-        if len(set(differ)) == 1 and differ[0] > 0:
-            return f"The {said} is missing." if differ[0] == 1 else f"The {said} {differ[0]} are missing."
-    return _one_code(wrong, codes)
+    rules = (
+        (len(several) > 1 and all(len(set(each.got)) == 1 for each in several),
+         "The same character comes again and again."),
+        (all(list(each.got) == list(reversed(each.expected)) for each in seen),
+         "They come in the opposite order."),
+        (all(list(each.got) == list(each.read) for each in seen), "They come out as they went in."),
+        (not codes and all(_in_octal(each) for each in seen), "These are the digits in octal."),
+    )  # fmt: skip
+    plain = [said for applies, said in rules if applies]
+    return plain[0] if plain else _too_many(seen) or _missing(seen) or _one_code(wrong, codes)
+
+
+def _too_many(seen: Sequence[Text]) -> str:
+    for said, front in (("after the last", True), ("before the first", False)):
+        more = [_rest(each.expected, each.got, front) for each in seen]
+        if min(more) > 0:
+            count = f"{more[0]}" if len(set(more)) == 1 else "Some"
+            return f"{count} too many come {said}."
+    return ""
+
+
+def _missing(seen: Sequence[Text]) -> str:
+    for said, front in (("last", True), ("first", False)):
+        fewer = [_rest(each.got, each.expected, front) for each in seen]
+        if len(set(fewer)) == 1 and fewer[0] > 0:
+            return f"The {said} is missing." if fewer[0] == 1 else f"The {said} {fewer[0]} are missing."
+    return ""
 
 
 def _in_octal(seen: Text) -> bool:

@@ -5,12 +5,12 @@ first trial that fails is shown. Bounds on the source and words it must or must 
 what breaks them gets no points. Of a hidden case nothing is kept but what was wrong.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.program import FOUND
-from pdp8.lessons import diagnosis, evidence, trial, values
+from pdp8.lessons import diagnosis, evidence, hints, trial, values
 from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Exercise, Question, Trial
 from pdp8.lessons.trial import Outcome
@@ -80,7 +80,7 @@ def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
     if fault:
         return Result(answer.name, (), exercise.points, fault)
     lines = answer.lines()
-    marks = _explained(exercise, answer, [_try(case, answer) for case in exercise.cases])
+    marks = _cases(exercise, answer)
     marks += [_compare(question, lines.get(question.name.lower(), "")) for question in exercise.questions]
     return Result(answer.name, tuple(marks), exercise.points)
 
@@ -110,18 +110,45 @@ def _broken(exercise: Exercise, answer: Answer) -> str:
     return f"the tag {name} is missing; the exercise looks for it" if name else ""
 
 
-def _try(case: Case, answer: Answer) -> Mark:
-    for each in case.trials:
-        found = first_failed(answer, each)
-        if found is not None:
-            return _failed(case, each, answer, found)
-    return Mark(case.name, case.points, case.points, hidden=case.hidden)
+def _cases(exercise: Exercise, answer: Answer) -> list[Mark]:
+    """Return the mark of each case, with a hint for one that failed."""
+    patterns: dict[str, str] = {}
+    marks: list[Mark] = []
+    for case in exercise.cases:
+        found = _case_failed(case, answer)
+        if found is None:
+            marks.append(Mark(case.name, case.points, case.points, hidden=case.hidden))
+            continue
+        wrong = found.failures[0]
+        result = wrong.happened not in diagnosis.ENDS
+        if result and wrong.what not in patterns:
+            patterns[wrong.what] = _pattern(exercise, answer, wrong.what)
+        applies = result and "" in case.hints and _starts_once(found, answer)
+        hint = hints.hint(
+            hints.Failed(
+                case,
+                [failure.happened for failure in found.failures],
+                [failure.what for failure in found.failures],
+                found.trial.stop,
+                general=case.hints[""] if applies else "",
+                pattern=patterns[wrong.what] if result else "",
+                prints=any(word in _PRINTS for word in answer.words.values()),
+                first=not marks,
+                first_right=bool(marks) and not marks[0].failures,
+            )
+        )
+        marks.append(_failed(case, found, hint))
+    return marks
 
 
 @dataclass(frozen=True)
 class Failed:
-    """A START after which not all is as expected: its trial, what it brought, what is wrong."""
+    """A START after which not all is as expected: its trial, what it brought, what is wrong.
 
+    `whole` is the trial with all its STARTs.
+    """
+
+    whole: Trial
     trial: Trial
     outcome: Outcome
     failures: list[Failure]
@@ -133,84 +160,45 @@ def first_failed(answer: Answer, whole: Trial) -> Failed | None:
     for tried, outcome in zip([whole, *whole.again], outcomes, strict=True):
         failures = list(_failures(tried, answer, outcome, whole))
         if failures:
-            return Failed(tried, outcome, failures)
+            return Failed(whole, tried, outcome, failures)
     failures = list(_looked_at(answer, whole))
-    return Failed(whole, outcomes[-1], failures) if failures else None
+    return Failed(whole, whole, outcomes[-1], failures) if failures else None
 
 
-def _failed(case: Case, whole: Trial, answer: Answer, failed: Failed) -> Mark:
-    """Return the mark of a case whose trial failed, with the hint that fits."""
-    failures, outcome = failed.failures, failed.outcome
-    over = trial.overwritten(answer, whole, outcome)
-    if over is not None and failures[0].happened != diagnosis.LEFT:  # then its data are executed on the way
-        failures.append(Failure("the program", "", f"a write over itself at {over:04o}", diagnosis.ITSELF))
-    once = _starts_once(whole, answer, outcome)
-    hints = {key: said for key, said in case.hints.items() if key or once}
-    hint = _hint(hints, failures, failed.trial)
-    if hint == diagnosis.HINTS[diagnosis.NOTHING] and any(word in _PRINTS for word in answer.words.values()):
-        hint = ""
+def _case_failed(case: Case, answer: Answer) -> Failed | None:
+    """Return the first trial of a case that failed, or None; a program that wrote over itself failed."""
+    for whole in case.trials:
+        found = first_failed(answer, whole)
+        if found is not None:
+            over = trial.overwritten(answer, whole, found.outcome)
+            # a program that was left executes its data on the way
+            if over is not None and found.failures[0].happened != diagnosis.LEFT:
+                said = f"a write over itself at {over:04o}"
+                found.failures.append(Failure("the program", "", said, diagnosis.ITSELF))
+            return found
+    return None
+
+
+def _failed(case: Case, found: Failed, hint: str) -> Mark:
+    """Return the mark of a case that failed."""
     if case.hidden:
-        bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in failures)
+        bare = tuple(Failure(failure.what, "", "", failure.happened) for failure in found.failures)
         return Mark(case.name, 0, case.points, bare, hint, hidden=True)
-    several = len(case.trials) > 1 or whole.again
-    inputs = _inputs(failed.trial) if several else ""
-    if outcome.number > 0 and whole.again:
-        inputs = f"start {outcome.number + 1}, {inputs}".removesuffix(", ")
-    return Mark(case.name, 0, case.points, tuple(failures), hint, inputs)
+    several = len(case.trials) > 1 or found.whole.again
+    inputs = _inputs(found.trial) if several else ""
+    if found.outcome.number > 0 and found.whole.again:
+        inputs = f"start {found.outcome.number + 1}, {inputs}".removesuffix(", ")
+    return Mark(case.name, 0, case.points, tuple(found.failures), hint, inputs)
 
 
-def _starts_once(whole: Trial, answer: Answer, outcome: Outcome) -> bool:
-    """Tell whether all is right after the first START: if not, hints for a trial of several do not fit."""
-    if whole.starts == 1:
-        return outcome.number > 0 or not whole.again
-    return first_failed(answer, replace(whole, starts=1, again=())) is None
+def _starts_once(found: Failed, answer: Answer) -> bool:
+    """Whether all is right after the first START: if not, hints for a trial of several do not fit."""
+    if found.whole.starts == 1:
+        return found.outcome.number > 0 or not found.whole.again
+    return first_failed(answer, replace(found.whole, starts=1, again=())) is None
 
 
-def _hint(hints: Mapping[str, str], failures: list[Failure], tried: Trial) -> str:
-    """Return the case's hint for what happened or what differs, or for any result; or the diagnosis's.
-
-    Where the end is wrong, a hint to the result does not fit.
-    """
-    happened = [failure.happened for failure in failures]
-    elsewhere = happened[0] in diagnosis.ENDS
-    for failure in failures:
-        if not elsewhere or failure.happened in (*diagnosis.ENDS, diagnosis.ITSELF):
-            for key in (failure.happened, failure.what):
-                if key in hints:
-                    return hints[key]
-    if diagnosis.ITSELF in happened:
-        return diagnosis.HINTS[diagnosis.ITSELF]
-    if not elsewhere and "" in hints:
-        return hints[""]
-    if happened[0] == diagnosis.NOT_STOPPED and tried.stop != Reason.HALT:
-        return ""
-    return diagnosis.HINTS.get(happened[0], "")
-
-
-def _explained(exercise: Exercise, answer: Answer, marks: list[Mark]) -> list[Mark]:
-    """Return the marks with what all trials show; a case's hint to any result is kept where the first case,
-    on which all others build, is right.
-    """
-    said: dict[str, str] = {}
-    found = []
-    for at, (case, mark) in enumerate(zip(exercise.cases, marks, strict=True)):
-        wrong = [failure for failure in mark.failures if failure.happened != diagnosis.ITSELF]
-        if not wrong or wrong[0].happened in diagnosis.ENDS:
-            found.append(mark)
-            continue
-        what = wrong[0].what
-        if what not in said:
-            said[what] = _shown(exercise, answer, what)
-        own = "" if mark.hint in diagnosis.CHANCE else mark.hint
-        if own in (case.hints.get("", ""), *diagnosis.WEAK) and at > 0 and marks[0].failures:
-            own = ""
-        if said[what] and (at > 0 or own in diagnosis.WEAK):
-            own = ""
-        found.append(replace(mark, hint=" ".join([each for each in (said[what], own) if each])))
-    return found
-
-
-def _shown(exercise: Exercise, answer: Answer, what: str) -> str:
+def _pattern(exercise: Exercise, answer: Answer, what: str) -> str:
     """Return what all trials show of a word, of AC, or of the characters."""
     words: list[evidence.Word] = []
     texts: list[evidence.Text] = []

@@ -31,7 +31,7 @@ MODULES = {
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "goals keys operator program trace waits",
     "pdp8.replay": "day script",
-    "pdp8.lessons": "answer diagnosis drill evidence exercise marking page scores trial values where",
+    "pdp8.lessons": "answer diagnosis drill evidence exercise hints marking page scores trial values where",
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drawn drill ellipse fluidic format function header milling"
     " piecewise points polynomial printout profile slope stepwise stretches units",
