@@ -23,7 +23,7 @@ from typing import NamedTuple
 from pal.assembler import HIGH_SPEED_SYMBOLS, START
 from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, REVERSED, refers_to
 from pal.symbols import PERMANENT
-from tapes import binary, kinds, rim
+from tapes import binary, codes, rim
 from tapes.binary import FIELD, ORIGIN, WORD
 
 _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
@@ -52,7 +52,7 @@ def disassemble(words: Mapping[int, int]) -> str:
 
 def disassemble_tape(frames: bytes) -> str:
     """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
-    if kinds.classify(frames) == kinds.RIM and _BARE not in frames:
+    if codes.recognise(frames) is codes.RIM and _BARE not in frames:
         words = rim.decode(frames)
         return _source(_pieces_of(words, words))
     return _source(_pieces_on(frames))

@@ -6,9 +6,10 @@ eia         EIA RS-244, the code of N/C machines
 rim         DEC's RIM loader format
 binary      DEC's BIN loader format
 octal       any tape spelled out as text
-kinds       the kind of a tape, from its frames
+code        a tape code as one object
+codes       every tape code, and which of them a tape is in
+loaders     BIN and RIM as tape codes
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
-captions    what each frame says, in a few letters
 picture     a tape as text and as SVG in true geometry
 photograph  photographs of tape become frames
 redundancy  what a tape says of its own frames

@@ -8,39 +8,47 @@ Channel 8 of a tape that stays ASCII is punched again and nothing else changes, 
 or it has LF without CR, as a text file has.
 """
 
-from tapes import ascii, binary, eia, frames, kinds, octal, rim
-from tapes.errors import TapeError, TextError
+from typing import Final
 
-CHARACTERS = ("text", "ascii", "eia")
-WORDS = ("bin", "rim")
-CODES = (*CHARACTERS, *WORDS, "octal")
-FRAMES = "frames"
+from tapes import codes, frames, octal
+from tapes.code import Characters
+from tapes.errors import TapeError, TextError
+from tapes.loaders import Words
+
+TEXT, OCTAL, FRAMES = "text", "octal", "frames"
+FORMS: Final = (TEXT, *(code.name for code in codes.CODES), OCTAL)
+"""What a tape is converted from and to."""
 
 
 def convert(content: bytes, source: str, target: str, parity: str = "mark", fill: int | None = None) -> bytes:
-    """Convert the tape or file `content` from the code `source` to `target`, which is FRAMES or of CODES.
+    """Convert the tape or file `content` from `source`, one of FORMS, to `target`, FRAMES or one of them.
 
     `parity` and `fill` say how ASCII is punched. Raises TapeError or TextError: characters cannot become
     words.
     """
-    if source == "octal":
+    code = codes.named(source)
+    if source == OCTAL:
         content = octal.encode(typed(content))
-        source = kinds.classify(content)
+        code = codes.recognise(content)
     if target == FRAMES:
         return content
-    if target == "octal":
+    if target == OCTAL:
         return octal.decode(content).encode()
-    if source == target == "ascii" and fill is None and not _is_file(content):
+    made = codes.named(target)
+    if code is made is codes.ASCII and fill is None and not _is_file(content):
         leader, body, trailer = frames.strip(content)
         return leader + frames.with_parity(body, parity) + trailer
-    if source in CHARACTERS and target in CHARACTERS:
-        return _punch(_characters(content, source), target, parity, 6 if fill is None else fill)
-    if source in WORDS and target in WORDS:
-        words = binary.decode(content).words if source == "bin" else rim.decode(content)
-        return binary.encode(words) if target == "bin" else rim.encode(words)
+    if isinstance(code, Words) and isinstance(made, Words):
+        return made.encode(code.decode(content))
+    if (source == TEXT or isinstance(code, Characters)) and (target == TEXT or isinstance(made, Characters)):
+        text = code.decode(content) if isinstance(code, Characters) else typed(content)
+        punched = 6 if fill is None else fill
+        return made.encode(text, parity, punched) if isinstance(made, Characters) else text.encode()
     if not content:
         raise TapeError("empty tape", 0)
-    raise TapeError(f"{_named(source)} cannot become {target}; octal takes any tape")
+    raise TapeError(
+        f"{TEXT if source == TEXT else code.article} cannot become {target}; octal takes any tape"
+    )
 
 
 def typed(content: bytes) -> str:
@@ -53,21 +61,5 @@ def typed(content: bytes) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _named(source: str) -> str:
-    return {kinds.BLANK_TAPE: "a blank tape", kinds.UNKNOWN: "a tape of no known code"}.get(source, source)
-
-
 def _is_file(content: bytes) -> bool:
     return b"\n" in content and b"\r" not in content.translate(frames.PARITIES["none"])
-
-
-def _characters(content: bytes, source: str) -> str:
-    if source == "text":
-        return typed(content)
-    return ascii.decode(content) if source == "ascii" else eia.decode(content)
-
-
-def _punch(text: str, target: str, parity: str, fill: int) -> bytes:
-    if target == "text":
-        return text.encode()
-    return ascii.encode(text, parity, fill) if target == "ascii" else eia.encode(text)

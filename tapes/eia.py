@@ -14,8 +14,13 @@ Sources: EIA RS-244; letters, digits, `+ - / . ,` and space derived from the rul
 are as N/C manuals give them and were not seen in the standard itself.
 """
 
+from collections.abc import Collection
+from itertools import pairwise
+from typing import Final
+
+from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, fault, lengths, nearly_all, unended
 from tapes.errors import TapeError, TextError
-from tapes.frames import BLANK, channels, paper_end, skip
+from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, channels, paper_end, skip
 
 EOB = 0o200
 DELETE = 0o177
@@ -42,6 +47,8 @@ _NAMES = {
     0o174: "UC", 0o172: "LC",
 }  # fmt: skip
 
+_FITTING = bytes([*CHARACTERS, DELETE])
+_NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
 _TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(256))
@@ -105,3 +112,54 @@ def _complaint(frame: int) -> str:
     holes = " ".join(map(str, channels(frame)))
     fault = "an even number of holes" if frame.bit_count() % 2 == 0 else "not assigned"
     return f"{frame:03o} (channels {holes}) is no EIA code: {fault}"
+
+
+class _Eia(Characters):
+    def encode(self, text: str, parity: str = "mark", fill: int = 6) -> bytes:
+        return encode(text)
+
+    def decode(self, frames: bytes) -> str:
+        return decode(frames)
+
+    def caption(self, frame: int) -> str:
+        return name(frame)
+
+    def leader(self) -> int:
+        return BLANK
+
+    def likelihood(self, frames: bytes) -> float:
+        """Return nearly WHOLE if every frame has a code and blocks end; no tape begins with so many ends."""
+        has_blocks = EOB in frames.lstrip(bytes([EOB])) and not frames.startswith(LEAST_LEADER)
+        if has_blocks and not frames.translate(None, _FITTING + bytes([BLANK])):
+            return 0.9 * WHOLE
+        return MOSTLY if nearly_all(frames.translate(None, _NO_WORD), _FITTING) else 0.0
+
+    def report(self, frames: bytes) -> list[Row]:
+        """Return blocks and parity."""
+        codes = frames.strip(bytes([BLANK]))
+        ends = [at for at, code in enumerate(codes, 1) if code == EOB]
+        counts = (end - begin for begin, end in pairwise([0, *ends]))
+        rest = codes[ends[-1] :] if ends else codes
+        return [
+            ("blocks", f"{len(ends):,}{lengths(counts, 'frames')}{unended(rest, 'frames')}"),
+            ("parity", fault(decode, frames) or "odd in every frame; every frame an EIA code"),
+        ]
+
+    def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
+        """Return that each frame has a code; all of them have an odd number of holes."""
+        return Rule("EIA's odd holes", lambda _, frame: frame in CHARACTERS or frame in (BLANK, DELETE))
+
+    def sense(self, frames: bytes) -> float:
+        """Return how many blocks have a number one more than that before."""
+        if fault(lambda tape: decode(tape, blank="0"), frames):
+            return 0.0
+        starts = [line[:3] for line in decode(frames, blank="0").split("\n")]
+        numbers = [int(start) for start in starts if start.isdecimal()]
+        return sum(after - before == 1 for before, after in pairwise(numbers))
+
+    def doubt(self, frames: bytes) -> str:
+        """Return that a program finds no ASCII."""
+        return "is an EIA tape: a program for ASCII finds no character on it"
+
+
+EIA: Final = _Eia("eia", "EIA RS-244", "an EIA tape", "#ebe6d4")

@@ -107,6 +107,11 @@ def has_leader(frames: bytes) -> bool:
     return frames[:1] in (bytes([BLANK]), bytes([LEADER]))
 
 
+def begins_as_words(frames: bytes, content: bytes) -> bool:
+    """Whether a tape begins with leader, and its content with a frame that is an origin, address or field."""
+    return frames[:1] == bytes([LEADER]) and bool(content) and content[0] >> 6 in (1, 3)
+
+
 def leader_start(frames: bytes) -> int | None:
     """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
     tape, after letters for the eye and blank tape, or after rubouts. None for a tape that begins otherwise.

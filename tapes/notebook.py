@@ -7,7 +7,7 @@ A piece of a Tape is a Tape; whatever else one does with it gives `bytes`, as wi
 
 from typing import SupportsIndex, overload
 
-from tapes import kinds, picture
+from tapes import codes, picture
 
 _FRAMES = 320
 
@@ -15,7 +15,7 @@ _FRAMES = 320
 class Tape(bytes):
     """Frames which a notebook shows as SVG, the first 320, and a terminal as rows of holes.
 
-    The captions are in the code the frames are in; see `tapes.kinds`.
+    The captions are in the code the frames are in; see `tapes.codes`.
     """
 
     @overload
@@ -32,8 +32,8 @@ class Tape(bytes):
 
     def __str__(self) -> str:
         """Return the whole tape as rows of holes."""
-        return picture.text(self, kinds.classify(self))
+        return picture.text(self, codes.recognise(self).name)
 
     def _repr_svg_(self) -> str:
         """Return its first frames as SVG, for a notebook."""
-        return picture.svg(self, kinds.classify(self), stop=_FRAMES)
+        return picture.svg(self, codes.recognise(self).name, stop=_FRAMES)

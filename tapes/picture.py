@@ -20,7 +20,7 @@ one side of the sprocket and five on the other, channel 1 being the outermost of
 from collections.abc import Iterator
 from html import escape
 
-from tapes.captions import captions
+from tapes import codes
 from tapes.frames import channels, draw
 
 WIDTH = 1000  # thousandths of an inch, as everything below
@@ -38,7 +38,7 @@ _LETTER = 38
 def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None) -> str:
     """Return frames `start` up to `stop` as rows of holes with frame number, octal and caption in `code`.
 
-    `code` is one of captions.CODES; any other leaves the captions out.
+    `code` is the name of one of codes.CODES; any other leaves the captions out.
     """
     rows = [
         "   frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first",
@@ -91,7 +91,7 @@ _Row = tuple[int, int, str]
 
 
 def _range(frames: bytes, code: str, start: int, stop: int | None) -> Iterator[_Row]:
-    said = captions(frames, code)
+    said = codes.named(code).captions(frames)
     numbers = range(*slice(start, stop).indices(len(frames)))
     return ((number, frames[number], said[number]) for number in numbers)
 

@@ -229,14 +229,15 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> Non
     """Raise an AssemblyError where a file is a tape of data, or cannot be assembled and is a tape of another
     kind.
     """
-    from tapes import kinds
+    from tapes import ascii, codes
+    from tapes.loaders import Words
 
     for name, content in zip(names, contents, strict=True):
-        if kinds.only_figures(content):
+        if ascii.only_figures(content):
             raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
-        kind = kinds.classify(content)
-        if not ok and kind in (kinds.BIN, kinds.RIM, kinds.EIA):
-            raise AssemblyError(f"{called(name)}: a tape in {kind.upper()}, not PAL source")
+        code = codes.recognise(content)
+        if not ok and (isinstance(code, Words) or code is codes.EIA):
+            raise AssemblyError(f"{called(name)}: a tape in {code.name.upper()}, not PAL source")
 
 
 def _counted(errors: int) -> str:
@@ -310,25 +311,19 @@ def dis(*, tape: str, output: str) -> None:
       pdp8 dis eia.bin | pal - -o again.bin
     """
     from pal.disassembler import disassemble_tape
-    from tapes.measure import left_out
+    from tapes import codes
+    from tapes.code import Characters
+    from tapes.loaders import Words
 
     frames = shelf.read(tape)
     with naming(tape):
-        kind = _program_kind(frames)
+        code = codes.recognise(frames)
+        if isinstance(code, Characters):
+            raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
         source = disassemble_tape(frames)
-        notes = left_out(frames, kind)
+        notes = code.left_out(frames) if isinstance(code, Words) else ()
     command.put(output, source)
     command.say_of(tape, notes)
-
-
-def _program_kind(frames: bytes) -> str:
-    """Return what a tape is. Raises WorkError where it is whole, but no program."""
-    from tapes import kinds
-
-    kind = kinds.classify(frames)
-    if kind in (kinds.ASCII, kinds.EIA):
-        raise WorkError(f"a tape in {kind.upper()}, not in BIN or RIM")
-    return kind
 
 
 def main() -> None:

@@ -294,14 +294,14 @@ def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", 
 
 def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
     """Return an error that adds the kind of the tape, if its first block is bad because it is not EIA."""
-    from tapes import kinds
+    from tapes import ascii, codes
 
-    kind = kinds.classify(frames) if error.block == 1 else kinds.EIA
-    if kind not in (kinds.ASCII, kinds.BIN, kinds.RIM):
+    code = codes.recognise(frames) if error.block == 1 else codes.EIA
+    if code not in codes.CODES or code is codes.EIA:
         return None
     cure = ""
-    if kind == kinds.ASCII and kinds.ends_blocks(frames):
+    if code is codes.ASCII and ascii.ends_blocks(frames):
         cure = "; `pdp8 run eia.pal` translates it"
-    elif kind == kinds.ASCII:
+    elif code is codes.ASCII:
         cure = "; `pdp8 tape punch --code eia` punches typed blocks"
-    return WorkError(f"{error}; the tape seems to be {kind.upper()}, and the machine reads EIA{cure}")
+    return WorkError(f"{error}; the tape seems to be {code.name.upper()}, and the machine reads EIA{cure}")

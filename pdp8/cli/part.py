@@ -184,13 +184,13 @@ def mirror(tape: str, across: Literal["x", "y"], about: float | None, output: st
       pdp8 part mirror part.asc --across y --about 5 -o other.asc
     """
     from programs.mirror import mirrored
-    from tapes import kinds
+    from tapes import codes
     from tapes.convert import convert
     from tapes.errors import naming
 
     content = shelf.read(tape)
     with naming(tape):
-        text = convert(content, kinds.classify(content), "text").decode()
+        text = convert(content, codes.recognise(content).name, "text").decode()
         other = mirrored(text, across, about)
     command.put(output, ascii.encode(other))
 

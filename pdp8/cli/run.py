@@ -23,7 +23,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
-from tapes import kinds
+from tapes import codes
 from tapes.errors import called, naming
 
 if TYPE_CHECKING:
@@ -255,9 +255,9 @@ def _program(options: Options, explicit: Collection[str | None]) -> "Program | N
     if options.program is None:
         return None
     found = shelf.program(options.program, options.force or options.boot, options.dialect)
-    if found.kind == kinds.ASCII and options.force:
+    if found.code is codes.ASCII and options.force:
         raise click.UsageError(f"--force means nothing for {found.name}: it is no tape that may be damaged.")
-    if found.kind != kinds.ASCII and "dialect" in explicit:
+    if found.code is not codes.ASCII and "dialect" in explicit:
         raise click.UsageError(f"--dialect means nothing for {found.name}: it is a tape, and no PAL source.")
     return found
 
@@ -414,7 +414,7 @@ def _tell_of_channel_8(options: Options, machine: Machine) -> None:
     if options.punch is not None or _paged(options) or not stat.S_ISFIFO(os.fstat(1).st_mode):
         return
     frames = machine.teletype.punch.tape
-    if kinds.classify(frames) == kinds.ASCII and not frames.isascii():
+    if codes.recognise(frames) is codes.ASCII and not frames.isascii():
         command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
 
 
@@ -455,7 +455,7 @@ def _boot(options: Options, machine: Machine, found: "Program") -> None:
         tape = rim.encode(shelf.bundled_program("bin.pal").words)
     else:
         of_loader = shelf.program(options.loader, options.force)
-        tape = of_loader.tape if of_loader.kind == kinds.RIM else rim.encode(of_loader.words)
+        tape = of_loader.tape if of_loader.code is codes.RIM else rim.encode(of_loader.words)
     total = 0.0
     for step in Operator(machine).boot(tape, found.tape, called(found.name), options.force):
         total += step.seconds

@@ -10,12 +10,16 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import ascii, captions, eia, frames, hydrapoint, kinds, measure, picture
-from tapes import convert as codes
+from tapes import codes, eia, frames, hydrapoint, measure, picture
+from tapes import convert as conversion
+from tapes.code import Characters
 from tapes.errors import TapeError, called, naming
+from tapes.loaders import Words
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
+_NAMES = [code.name for code in codes.CODES]
+_TYPED = {code.name: code for code in codes.CODES if isinstance(code, Characters)}
 _output = output(Target("tape"))
 _file = click.argument("file", type=Source(), default="-")
 
@@ -60,7 +64,7 @@ def tape() -> None:
 @click.option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="The last frame to show.")
 @click.option(
     "--code",
-    type=click.Choice([_AUTO, *captions.CODES, "none"]),
+    type=click.Choice([_AUTO, *_NAMES, "none"]),
     default=_AUTO,
     show_default=True,
     help="What the captions take the tape for.",
@@ -87,14 +91,14 @@ def show(*, file: str, first: int, last: int | None, code: str, svg: str | None)
     with naming(file):
         _check(first, len(content))
     stop = None if last is None else last + 1
-    code = kinds.classify(content) if code == _AUTO else code
+    known = codes.recognise(content) if code == _AUTO else codes.named(code)
     if svg is None:
-        command.echo(picture.text(content, code, first, stop), nl=False)
-        for label in captions.labels(content, code):
+        command.echo(picture.text(content, known.name, first, stop), nl=False)
+        for label in known.labels(content):
             for row in frames.draw_label(content[:stop][max(first, label.start) : label.stop]):
                 command.echo(f"   label    {row}".rstrip())
     else:
-        command.put(svg, picture.svg(content, code, first, stop))
+        command.put(svg, picture.svg(content, known.name, first, stop))
 
 
 @tape.command()
@@ -118,7 +122,7 @@ def info(files: tuple[str, ...]) -> None:
 @_file
 @click.option(
     "--code",
-    type=click.Choice([_AUTO, *codes.CODES]),
+    type=click.Choice([_AUTO, *conversion.FORMS]),
     default=_AUTO,
     show_default=True,
     help="The code it is in.",
@@ -126,7 +130,7 @@ def info(files: tuple[str, ...]) -> None:
 @click.option(
     "--to",
     "target",
-    type=click.Choice([*codes.CODES, codes.FRAMES]),
+    type=click.Choice([*conversion.FORMS, conversion.FRAMES]),
     required=True,
     help="The code to make of it.",
 )
@@ -152,12 +156,13 @@ def convert(*, file: str, code: str, target: str, parity: str, fill: int | None,
       pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
     """
     content = shelf.read(file)
-    found = kinds.classify(content) if code == _AUTO else code
+    source = codes.recognise(content).name if code == _AUTO else code
     with naming(file):
-        converted = codes.convert(content, found, target, parity, fill)
-    command.put(output, converted.decode() if target in ("text", "octal") else converted)
-    if found in codes.WORDS and target in codes.WORDS:
-        command.say_of(file, measure.left_out(content, found))
+        converted = conversion.convert(content, source, target, parity, fill)
+    command.put(output, converted.decode() if target in (conversion.TEXT, conversion.OCTAL) else converted)
+    words = codes.named(source)
+    if isinstance(words, Words) and isinstance(codes.named(target), Words):
+        command.say_of(file, words.left_out(content))
 
 
 @tape.command()
@@ -182,7 +187,7 @@ def clean(*, file: str, output: str) -> None:
 @tape.command()
 @_file
 @click.option(
-    "--code", type=click.Choice(["ascii", "eia"]), default="ascii", show_default=True, help="The tape's code."
+    "--code", type=click.Choice(list(_TYPED)), default="ascii", show_default=True, help="The tape's code."
 )
 @_parity("--code")
 @option(
@@ -224,13 +229,10 @@ def punch(
     """
     content = shelf.read(file)
     with naming(file):
-        text = codes.typed(content)
+        text = conversion.typed(content)
         if drop_spaces is None:
             text = hydrapoint.typed(text) or text
-        if code == "eia":
-            punched = eia.encode(text, skip=" " if drop_spaces else "")
-        else:
-            punched = ascii.encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
+        punched = _TYPED[code].encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
     command.put(output, frames.blank(leader) + punched + frames.blank(leader))
 
 

@@ -23,7 +23,7 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from pdp8.computer.watch import instruction_at
-from tapes import kinds
+from tapes import codes
 
 SPEEDS = (1, 10, 100, 1000)
 KEY_SECONDS = 0.1
@@ -193,7 +193,7 @@ class Session:
 
     def mount(self, tape: Tape) -> None:
         """Put a tape into the reader, as Operator.mount does; say what ASCII programs do not find on it."""
-        if doubt := kinds.doubt(tape.frames):
+        if doubt := codes.recognise(tape.frames).doubt(tape.frames):
             self.said = f"{tape.name} {doubt}"
         self.reader_tape = tape.name
         self.operator.mount(tape.name, tape.frames)

@@ -11,8 +11,7 @@ from rich.text import Text
 
 from pdp8.console.pages import Page, frame
 from pdp8.console.session import Session
-from tapes import kinds
-from tapes.captions import captions
+from tapes import codes
 from tapes.frames import draw
 
 _PAPER = Style(color="#2d2618", bgcolor="#f0e3bd")
@@ -58,7 +57,7 @@ class ReaderStrip(Strip):
         reader = self.session.machine.teletype.reader
         if reader.tape is not self.captioned:
             self.captioned = reader.tape
-            self.captions = captions(reader.tape, kinds.classify(reader.tape))
+            self.captions = codes.recognise(reader.tape).captions(reader.tape)
         name = self.session.reader_tape if reader.loaded else "reader"
         place = f"{reader.position:,} of {len(reader.tape):,}" if reader.loaded else ""
         frame(self, name if reader.on else f"STOP · {name}", place)
@@ -87,4 +86,4 @@ class PunchStrip(Strip):
             return Text("nothing punched", _FAINT)
         known = bytes(frames[-_KNOWN:])
         first = max(0, len(known) - self.size.height)
-        return self.rows(known, captions(known, kinds.classify(known)), first, len(known) - 1)
+        return self.rows(known, codes.recognise(known).captions(known), first, len(known) - 1)

@@ -13,7 +13,7 @@ from pal.text import Text, path_of
 from pdp8 import shelf
 from pdp8.computer.use.program import Program
 from pdp8.dap.wire import Body
-from tapes import kinds
+from tapes import codes
 from tapes.errors import WorkError
 
 BYTES = 2
@@ -58,7 +58,7 @@ class Places:
             for address, number in listing.numbers.items()
         }
         """{address: the tape and the line of the word there}."""
-        if program.kind != kinds.ASCII:
+        if program.code is not codes.ASCII:
             name = f"{self._sources[0]['name']}, disassembled"
             self._sources = [{"name": name, "sourceReference": _LISTING}]
             self.lines = {address: (0, number + first) for address, number in listing.places.items()}

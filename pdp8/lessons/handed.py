@@ -8,8 +8,9 @@ import sys
 from pdp8 import shelf
 from pdp8.computer.use import program
 from pdp8.lessons.answer import Answer
-from tapes import kinds
+from tapes import codes
 from tapes.errors import WorkError, called
+from tapes.loaders import Words
 from tapes.utf16 import is_utf16
 
 LARGEST = 16 * 1024
@@ -42,11 +43,11 @@ def of(content: bytes, name: str) -> Answer:
     if is_utf16(content):
         return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
     content = shelf.without_mark(content)
-    kind = kinds.classify(content)
+    code = codes.recognise(content)
     try:
-        if kind in (kinds.BIN, kinds.RIM):
+        if isinstance(code, Words):
             return Answer(name, program.read(content, name).words)
-        if kind in (kinds.UNKNOWN, kinds.EIA):
+        if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file
     except WorkError as error:
         return Answer(name, fault=str(error))

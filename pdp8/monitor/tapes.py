@@ -8,7 +8,7 @@ from pdp8.computer.past import state
 from pdp8.computer.use import operator, program
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
-from tapes import kinds
+from tapes import codes
 from tapes import rim as rim_format
 from tapes.errors import naming
 from tapes.frames import has_leader
@@ -84,7 +84,7 @@ def reader(monitor: Monitor, first: str, *more: str) -> None:
     for name, frames in zip(names, tapes, strict=True):
         leader = "; no leader" if frames and not has_leader(frames) else ""
         monitor.say(f"{name}: {counted(len(frames), 'frames')}{leader}")
-        if doubt := kinds.doubt(frames):
+        if doubt := codes.recognise(frames).doubt(frames):
             monitor.say(f"{name} {doubt}")
 
 

@@ -4,8 +4,9 @@
 sequence prep.  X      Y
 """
 
-from tapes import eia, kinds
+from tapes import codes, eia
 from tapes.ascii import CR
+from tapes.code import Characters, Code
 from tapes.hydrapoint import FIELDS, ROWS
 
 _END = "↵"
@@ -18,9 +19,9 @@ BLOCK = f"<p>{''.join(_FIELDS)}</p>"
 """The fields as HTML, each with two texts: what is read, and what is not."""
 
 
-def passing(frames: bytes, head: int, code: str) -> list[str]:
+def passing(frames: bytes, head: int, code: Code) -> list[str]:
     """Return the two texts of each field of the block at the frame `head`; none where there are no blocks."""
-    if code not in (kinds.ASCII, kinds.EIA):
+    if not isinstance(code, Characters):
         return []
     first = max(0, head)
     while first > 0 and _digit(frames[first - 1], code) != _END:
@@ -45,9 +46,9 @@ def passing(frames: bytes, head: int, code: str) -> list[str]:
     return texts
 
 
-def _digit(frame: int, code: str) -> str:
+def _digit(frame: int, code: Code) -> str:
     """Return a digit or the end of a block; a space is a zero, another character of ASCII is passed over."""
-    if code == kinds.EIA:
+    if code is codes.EIA:
         return eia.CHARACTERS.get(frame, "").replace("\n", _END)
     character = frame & 0o177
     if character == CR:

@@ -20,7 +20,7 @@ import { Machine } from "../computer/machine.mjs";
 import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
-import * as kinds from "../../tapes/kinds.mjs";
+import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
@@ -200,7 +200,7 @@ class Bench {
       else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
       else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
-      else if (kinds.classify(frames) === kinds.UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
+      else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
     } catch (error) {
@@ -214,7 +214,7 @@ class Bench {
   }
 
   #tape(name) {
-    if (this.shelf.get(name).code === "eia") this.mill.cut(name);
+    if (this.shelf.get(name).code === EIA) this.mill.cut(name);
     else this.teletype.mount(name);
   }
 

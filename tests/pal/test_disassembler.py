@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import pal
 from pal.disassembler import disassemble, disassemble_tape, microinstruction
-from tapes import binary, kinds, rim
+from tapes import binary, codes, rim
 from tests.conftest import case
 
 EXAMPLES = sorted((Path(__file__).parent / "examples").glob("*.bin"))
@@ -67,9 +67,9 @@ def test_a_bin_tape_comes_back_with_its_words_and_fields(core: dict[int, int]) -
 
 @given(st.dictionaries(st.integers(0, 0o7777), words, min_size=2, max_size=60))
 def test_a_rim_tape_comes_back_with_its_words(core: dict[int, int]) -> None:
-    """One in 4096 is a BIN tape too, checksum and all, and is taken for it (tapes/kinds.py)."""
+    """One in 4096 is a BIN tape too, checksum and all, and is taken for it (tapes/loaders.py)."""
     tape = rim.encode(core)
-    assume(kinds.classify(tape) == kinds.RIM)
+    assume(codes.recognise(tape) is codes.RIM)
     assert pal.assemble(disassemble_tape(tape)).words == core
 
 

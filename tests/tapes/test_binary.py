@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tapes import ascii, binary, captions, kinds, rim
+from tapes import ascii, binary, codes, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
@@ -75,7 +75,7 @@ def test_what_stands_between_rubouts_is_not_read() -> None:
     two = shown + shown + FORMAT_BIN.lstrip(b"\0") + octal(message) + binary.encode({0o201: 3})
     assert binary.decode(two).words == FORMAT_WORDS | {0o201: 3}
     assert binary.read(two).labels == ()
-    assert kinds.classify(two) == kinds.BIN
+    assert codes.recognise(two) is codes.BIN
 
 
 def test_sections_follow_each_other_from_field_0_and_the_later_word_stays() -> None:
@@ -105,7 +105,7 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
     assert binary.decode(labelled).words == FORMAT_WORDS
     start = len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
     assert binary.read(labelled)[2:] == (None, (range(start, len(labelled)),))
-    assert kinds.classify(labelled) == kinds.BIN
+    assert codes.recognise(labelled) is codes.BIN
     # 102+000+074+002 is 200, octal: a checksum; another word before it; and an origin there
     good, bad, unsummed = (tape(f"102 000 074 {end} 000") for end in ("002 002", "003 002", "002 102"))
     labelled += bytes(3)
@@ -130,12 +130,12 @@ def test_letters_before_the_leader_are_a_label(label: str, after: str) -> None:
     letters = range(len(front) - len(front.lstrip(b"\0")), len(front.rstrip(b"\0")))
     behind = (range(len(front + FORMAT_BIN) + 1, len(labelled)),) if after else ()
     assert binary.read(labelled).labels == (letters, *behind)
-    assert kinds.classify(labelled) == kinds.BIN
-    assert kinds.start(labelled) == labelled.index(LEADER)
+    assert codes.recognise(labelled) is codes.BIN
+    assert codes.start(labelled) == labelled.index(LEADER)
     assert apart(labelled) is None
     damaged = bytearray(labelled)
     damaged[len(front) + 67] ^= 0o002
-    assert kinds.classify(bytes(damaged)) == kinds.BIN
+    assert codes.recognise(bytes(damaged)) is codes.BIN
 
 
 def test_a_section_without_its_leader_is_no_label() -> None:
@@ -148,12 +148,12 @@ def test_a_section_without_its_leader_is_no_label() -> None:
 def test_text_before_a_leader_is_no_label() -> None:
     text = ascii.encode("*200\nHLT\n$\n")
     for tail in (bytes(10) + binary.encode({0o200: 1}), bytes(10) + leader(), bytes(10) + leader() + text):
-        assert kinds.classify(text + tail) not in (kinds.BIN, kinds.RIM)
-        assert kinds.start(text + tail) == 0
-    assert kinds.classify(text * 9 + bytes(10) + leader() + b"\3\6\5") == kinds.ASCII
-    assert kinds.classify(b"ABC" * 9 + bytes(10) + leader() + b"\3\6\5") == kinds.ASCII
-    assert kinds.start(ascii.encode("A") + bytes(9) + leader()) == 0
-    assert kinds.start(ascii.encode("A") + bytes(9) + b"\x41") == 0
+        assert codes.recognise(text + tail) not in (codes.BIN, codes.RIM)
+        assert codes.start(text + tail) == 0
+    assert codes.recognise(text * 9 + bytes(10) + leader() + b"\3\6\5") is codes.ASCII
+    assert codes.recognise(b"ABC" * 9 + bytes(10) + leader() + b"\3\6\5") is codes.ASCII
+    assert codes.start(ascii.encode("A") + bytes(9) + leader()) == 0
+    assert codes.start(ascii.encode("A") + bytes(9) + b"\x41") == 0
 
 
 def test_a_damaged_second_section_is_no_label() -> None:
@@ -239,8 +239,9 @@ def test_one_wrong_hole_is_always_noticed() -> None:
 @given(st.binary())
 def test_any_frames_have_captions_and_a_kind_and_are_read_or_refused_with_their_place(given: bytes) -> None:
     for frames in (given, LEADER + given + LEADER):
-        assert kinds.classify(frames) in ("bin", "rim", "eia", "ascii", "blank", "unknown")
-        assert {len(captions.captions(frames, code)) for code in (*captions.CODES, "")} == {len(frames)}
+        known = (*codes.CODES, codes.BLANK_TAPE, codes.UNKNOWN)
+        assert codes.recognise(frames) in known
+        assert {len(code.captions(frames)) for code in known} == {len(frames)}
         for error in (refused(code.decode, frames) for code in (binary, rim)):
             assert error is None or error.frame in range(len(frames) + 1)
 

@@ -42,7 +42,7 @@ def test_the_fill_is_punched_again() -> None:
         (b"", "blank", "text", "frame 0: empty tape"),
         (bytes(5), "blank", "eia", "a blank tape cannot become eia"),
         (b"\x81", "unknown", "eia", "a tape of no known code cannot become eia"),
-        (FORMAT_BIN, "bin", "text", "bin cannot become text; octal takes any tape"),
+        (FORMAT_BIN, "bin", "text", "a BIN tape cannot become text; octal takes any tape"),
         (TEXT.encode(), "text", "bin", "text cannot become bin"),
         (binary.encode({0o10000: 1}), "bin", "rim", "address 10000: a RIM tape can name only 0000 to 7777"),
     ],

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from pdp8 import shelf
-from tapes import ascii, captions, octal, picture, rim
+from tapes import ascii, codes, octal, picture, rim
 from tapes.errors import TextError
 from tests.pictures import assert_looked_at
 from tests.tapes.strips import FORMAT_BIN
@@ -50,20 +50,20 @@ def test_captions_frame_by_frame() -> None:
     """Fields, a typed message; a frame of no kind, the end of core, no trailer; blank tape is no word."""
     lines = CAPTIONS.splitlines()
     for tape, said in zip(lines[::2], lines[1::2], strict=True):
-        assert captions.captions(holes(tape[5:]), tape[:3]) == said.strip().split("|")
+        assert codes.named(tape[:3]).captions(holes(tape[5:])) == said.strip().split("|")
 
 
 def test_captions_of_labels_before_the_leader_and_after_the_trailer() -> None:
     one = rim.encode({0o200: 0o7402})
     behind = holes("000 000 000 177 011 000")
-    assert captions.labels(FORMAT_BIN + behind, "ascii") == ()
+    assert codes.ASCII.labels(FORMAT_BIN + behind) == ()
     said = ["leader", "blank", "blank", "blank", "label", "label", "label"]
-    assert captions.captions(FORMAT_BIN.rstrip(b"\0") + behind, "bin")[-7:] == said
-    assert captions.captions(one + behind, "rim")[-7:] == said
+    assert codes.BIN.captions(FORMAT_BIN.rstrip(b"\0") + behind)[-7:] == said
+    assert codes.RIM.captions(one + behind)[-7:] == said
     before = holes("000 177 011 377 000 000 000")
     said = ["blank", "label", "label", "label", "blank", "blank", "blank"]
-    assert captions.captions(before + FORMAT_BIN.lstrip(b"\0"), "bin")[:8] == [*said, "leader"]
-    assert captions.captions(before + one, "rim") == said + captions.captions(one, "rim")
+    assert codes.BIN.captions(before + FORMAT_BIN.lstrip(b"\0"))[:8] == [*said, "leader"]
+    assert codes.RIM.captions(before + one) == said + codes.RIM.captions(one)
 
 
 def test_svg_has_every_hole_where_the_standard_puts_it() -> None:

@@ -13,7 +13,7 @@ from io import UnsupportedOperation
 from pdp8 import shelf
 from pdp8.cli.shared import command
 from pdp8.computer.hardware.teletype import Reader, Receiver
-from tapes import kinds
+from tapes import codes
 from tapes.errors import called
 from tapes.frames import has_leader
 
@@ -107,7 +107,7 @@ class Feed:
 
     def _warn(self, tape: bytes) -> None:
         """Say where a tape will not do what its owner expects."""
-        if not self._quiet and (doubt := kinds.doubt(tape)):
+        if not self._quiet and (doubt := codes.recognise(tape).doubt(tape)):
             command.say(f"{called(self._name)} {doubt}")
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
 from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
-from tapes import binary, kinds, rim
+from tapes import binary, codes, rim
 from tapes.errors import TapeError
 from tapes.frames import BLANK, LEADER, label_after
 from tapes.quantities import counted, duration
@@ -151,7 +151,7 @@ class Operator:
         if self.reader.on and not self.panel.lamps.run:
             self.reader.lever(False)
             self.lever_waits = True
-        self.reader.load(tape[kinds.start(tape) :])
+        self.reader.load(tape[codes.start(tape) :])
         self._note("mount", name, f"{name} goes into the reader.")
 
     def throw_lever(self) -> None:
@@ -212,7 +212,7 @@ class Operator:
         self.panel.mem_prot = self.panel.sing_step = False
         yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
         yield self.read_rim(loader, "BIN loader")
-        if kinds.classify(program) == kinds.RIM:
+        if codes.recognise(program) is codes.RIM:
             yield self.read_rim(program, name)
         else:
             yield self.read_bin(program, name, force)

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tapes import kinds
+from tapes import ascii, codes
+from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
-from tapes.measure import left_out
+from tapes.loaders import Words
 from tapes.quantities import counted
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class Program:
     """A program that goes into 4K of core.
 
     name     the file's name, or the bundled one; `names` are those of all its tapes
-    kind     kinds.ASCII (PAL source), kinds.BIN or kinds.RIM
+    code     codes.ASCII (PAL source), codes.BIN or codes.RIM
     words    {address: word}
     notes    what there is to say of its tape: a label, damage that was passed over
     tape     the frames that load it, in BIN or RIM format
@@ -42,14 +43,14 @@ class Program:
     def __init__(
         self,
         name: str,
-        kind: str,
+        code: Code,
         words: dict[int, int],
         source: "Assembly | bytes",
         notes: tuple[str, ...] = (),
     ) -> None:
         self.name = name
         self.names: tuple[str, ...] = (name,)
-        self.kind = kind
+        self.code = code
         self.words = words
         self.notes = notes
         self._source = source
@@ -80,13 +81,13 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
     field that a machine of 4K lacks, what is no program.
     """
-    kind = kinds.classify(frames)
+    code = codes.recognise(frames)
     with naming(name):
-        if kind == kinds.ASCII:
+        if code is codes.ASCII:
             program = _assembled([frames], [name], dialect)
-        elif kind in (kinds.BIN, kinds.RIM):
-            program = _loaded(frames, name, kind, force)
-        elif kind == kinds.BLANK_TAPE:
+        elif isinstance(code, Words):
+            program = _loaded(frames, name, code, force)
+        elif code is codes.BLANK_TAPE:
             raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
         else:
             raise WorkError("neither PAL source nor a BIN or RIM tape")
@@ -100,7 +101,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
     together = " ".join(names)
     for tape, name in zip(tapes, names, strict=True):
         with naming(name):
-            if kinds.classify(tape) != kinds.ASCII:
+            if codes.recognise(tape) is not codes.ASCII:
                 raise WorkError("not PAL source, of which a program of several tapes consists")
     with naming(together):
         program = _assembled(tapes, names, dialect)
@@ -113,7 +114,7 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
     from pal.assembling import assemble
     from pal.messages import DIALECT, worded
 
-    if all(kinds.only_figures(source) for source in sources):
+    if all(ascii.only_figures(source) for source in sources):
         raise WorkError("nothing but figures: no program, but a tape for the reader")
     assembly = assemble(*sources, names=[called(name) for name in names], dialect=dialect)
     if not assembly.ok:
@@ -130,15 +131,15 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
     notes: tuple[str, ...] = ()
     if dialect == FOUND and assembly.dialect != PAL3:
         notes = (worded(DIALECT).message,)
-    return Program(names[0], kinds.ASCII, assembly.words, assembly, notes)
+    return Program(names[0], codes.ASCII, assembly.words, assembly, notes)
 
 
-def _loaded(frames: bytes, name: str, kind: str, force: bool) -> Program:
-    words, damage = (_bin if kind == kinds.BIN else _rim)(frames)
+def _loaded(frames: bytes, name: str, code: Words, force: bool) -> Program:
+    words, damage = (_bin if code is codes.BIN else _rim)(frames)
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
-    return Program(name, kind, words, frames, (*notes, *left_out(frames, kind)))
+    return Program(name, code, words, frames, (*notes, *code.left_out(frames)))
 
 
 _Loaded = tuple[dict[int, int], TapeError | None]

@@ -10,7 +10,7 @@ import { BLOCK, passing } from "../passing.mjs";
 import { Pictures } from "../pictures.mjs";
 import { Drawing, Sheet } from "../sheet.mjs";
 import { Plate } from "../room/plate.mjs";
-import { meaning } from "../room/tape.mjs";
+import { EIA } from "../../../tapes/codes.mjs";
 import { drawTape, tapeKey } from "../tape.mjs";
 import { bytes } from "../translator/runtime.mjs";
 import { find, grouped, inches, minutes, octal } from "../written.mjs";
@@ -63,7 +63,7 @@ export class Mill {
     if (this.path === path) return;
     this.path = path;
     this.name = name;
-    this.tape = { label: name, code: "eia", frames, first: frames.findIndex((frame) => frame !== 0) };
+    this.tape = { label: name, code: EIA, frames, first: frames.findIndex((frame) => frame !== 0) };
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
     this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, band) : null;
@@ -146,7 +146,7 @@ export class Mill {
   #tape(view) {
     const { bench } = this;
     const frame = view.frames[view.head];
-    const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${meaning(frame, "eia")}`;
+    const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${EIA.caption(frame)}`;
     bench.writer.text(find("mill-reader").querySelector(".name"), says);
     bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
     bench.writer.fill(find("mill-block"), BLOCK, ...passing(view.frames, view.head, view.code));

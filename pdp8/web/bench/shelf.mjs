@@ -1,15 +1,14 @@
 // The tapes at hand: the bundled ones, those dropped on the page, those punched.
 
 import { bytes } from "../translator/runtime.mjs";
-import * as kinds from "../../../tapes/kinds.mjs";
+import { recognise } from "../../../tapes/codes.mjs";
 
 const NEWEST = 20; // tapes that are kept
 const LOOK = 1000; // frames that say in which code a tape is shown
 
-/** The code in which frames are shown: "ascii", "eia" or "bin". */
+/** The code in which frames are shown. */
 export function codeOf(frames) {
-  const kind = kinds.classify(bytes(frames.slice(0, LOOK)));
-  return kind === kinds.EIA || kind === kinds.ASCII ? kind : "bin";
+  return recognise(bytes(frames.slice(0, LOOK)));
 }
 
 /** `name`, or the first free one of "name 2", "name 3" ... */
@@ -21,7 +20,7 @@ export function free(name, taken) {
 }
 
 /** What the lists of the page offer that name some tapes: data-tapes. */
-const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) => code === "eia" };
+const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) => code.name === "eia" };
 
 /** A tape, as a text or as its frames: what it is, is asked when it is wanted. */
 class Tape {

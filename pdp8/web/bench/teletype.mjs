@@ -1,10 +1,9 @@
 // The Teletype on the bench: its page and keyboard, its reader and punch with their levers; and the PC8/L beside it.
 
 import { Paper, sent } from "../../computer/use/keys.mjs";
-import * as kinds from "../../../tapes/kinds.mjs";
+import { ASCII, BLANK_TAPE, named, start } from "../../../tapes/codes.mjs";
 import { BLOCK, passing } from "../passing.mjs";
 import { Sheet } from "../sheet.mjs";
-import { meaning } from "../room/tape.mjs";
 import { drawTape, tapeKey } from "../tape.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
@@ -19,7 +18,7 @@ export class Teletype {
     const sheet = (which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
     this.name = "";
-    this.code = "ascii";
+    this.code = ASCII;
     this.#clear();
     find("paper").addEventListener("keydown", (event) => this.#key(event));
     find("typed").addEventListener("keydown", (event) => {
@@ -38,17 +37,17 @@ export class Teletype {
 
   get kept() {
     const { code, leverWaits, name } = this;
-    return { code, leverWaits, name };
+    return { code: code.name, leverWaits, name };
   }
 
   set kept(kept) {
-    Object.assign(this, kept);
+    Object.assign(this, kept, { code: named(kept.code) });
   }
 
   /** Call the tape in the reader by its name. */
   named(name, code) {
     this.name = name;
-    this.code = code ?? "bin";
+    this.code = code ?? BLANK_TAPE;
   }
 
   #clear() {
@@ -135,7 +134,7 @@ export class Teletype {
   /** The frames of a tape from the shelf, a loader's from its leader on. */
   #wound(name) {
     const { frames } = this.bench.shelf.get(name);
-    return frames.slice(kinds.start(frames));
+    return frames.slice(start(frames));
   }
 
   /** Put a tape from the shelf into the reader. READER RUN is set while the processor stands still, and START would drop
@@ -208,10 +207,10 @@ export class Teletype {
     const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`;
     this.bench.writer.text(find(which).querySelector(".name"), loaded ? caption : "no tape");
     const frame = view.frames[view.head];
-    const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${meaning(frame, view.code)}`;
+    const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${view.code.caption(frame)}`;
     this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);
     const draw = (context, ...size) => loaded && drawTape(context, view, ...size);
-    this.sheets[which].draw(`${tapeKey(view)} ${view.code} ${loaded}`, draw);
+    this.sheets[which].draw(`${tapeKey(view)} ${view.code.name} ${loaded}`, draw);
   }
 
   #highspeed() {

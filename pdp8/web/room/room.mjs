@@ -10,6 +10,7 @@ import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
 import { bounds } from "../bench/path.mjs";
+import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
 import { codeOf } from "../bench/shelf.mjs";
 import { keyed } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
@@ -377,8 +378,8 @@ export class Room {
     const terminal = printing && day.tapes.get(`${day.part}.asc`);
     const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
     this.glides = false;
-    this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? "ascii" : this.live ? codeOf(punch.frames) : "eia", seconds);
-    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.code ?? "bin", seconds);
+    this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? ASCII : this.live ? codeOf(punch.frames) : EIA, seconds);
+    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.code ?? BLANK_TAPE, seconds);
     drawHeads(c, reader.on && !terminal);
   }
 

@@ -5,14 +5,10 @@
 //
 // Sources: EIA RS-227; thesis (M. S. Wong, 1971), Chapter 2.
 
-import * as ascii from "../../../tapes/ascii.mjs";
-import * as eia from "../../../tapes/eia.mjs";
-import { octal } from "../written.mjs";
 import { kept, sharpness, sheet } from "./ink.mjs";
 
 export const TRACKS = [8, 7, 6, 5, 4, 0, 3, 2, 1]; // 0 is the sprocket
 export const PITCH = 0.1;
-const PAPER = { ascii: "#f1dfae", eia: "#ebe6d4", bin: "#dde3d3" };
 const HOLE = "#1c1713";
 const END = 0.45; // paper beyond the last row
 
@@ -26,7 +22,7 @@ export function drawTape(c, { x, head, from, until, way = 1, lift = 0.1 }, { fra
   if (bottom <= top) return;
   c.fillStyle = "rgba(0,0,0,.3)";
   c.fillRect(x + lift, top + lift, 1, bottom - top);
-  c.fillStyle = PAPER[code];
+  c.fillStyle = code.paper;
   c.fillRect(x, top, 1, bottom - top);
   c.fillStyle = "rgba(255,255,255,.16)";
   c.fillRect(x, top, 0.12, bottom - top);
@@ -56,11 +52,6 @@ const SIGNS = { CR: "↵", EOB: "↵", LF: "↓", RUBOUT: "×", blank: "", leade
 
 /** What a frame says in its code, as one sign; a binary frame as its octal digits. */
 export function sign(frame, code) {
-  const name = meaning(frame, code);
+  const name = code.caption(frame);
   return SIGNS[name] ?? name;
-}
-
-/** The same in words, as `tape show` has them. */
-export function meaning(frame, code) {
-  return code === "ascii" ? ascii.name(frame) : code === "eia" ? eia.name(frame) : octal(frame, 3);
 }

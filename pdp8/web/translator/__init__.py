@@ -20,9 +20,13 @@ from importlib.resources import files
 
 from pdp8.web.kept import kept
 from pdp8.web.translator.modules import translate
+from tapes import codes
+
+_CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.CODES})
 
 MODULES = {
-    "tapes": "ascii binary eia errors expression frames hydrapoint kinds measure quantities rim utf16",
+    "tapes": "binary code codes errors expression frames hydrapoint measure quantities rim utf16 "
+    + " ".join(_CODES),
     "pal": "assembler assembling assembly diagnostics dialects disassembler isa listing meaning"
     " messages models notes pal8 punch recognition review source symbols symbols8 table watched work3 work8",
     "pdp8.computer": "machine stop watch",

@@ -3,7 +3,8 @@
 import pytest
 
 from pdp8.web.passing import passing
-from tapes import ascii, eia
+from tapes import ascii, codes, eia
+from tapes.code import Code
 
 _BLOCK = "  76 2250 4133  185"
 _READ = ["007", "", "6", "", "02", "250", "", "04133", "", "0", "", "01", "", "85", "", "↵"]
@@ -13,13 +14,13 @@ _TO_COME = ["", "···", "", "·", "", "·····", "", "·····", "", "·"
 @pytest.mark.parametrize(
     ("frames", "head", "code", "texts"),
     [
-        (ascii.encode(f"1\n{_BLOCK}\n", fill=6), 14, "ascii", _READ),
-        (eia.encode(f"1\n{_BLOCK}\n".replace(" ", "0")), 7, "eia", _READ),
-        (eia.encode("1\n"), 1, "eia", ["1↵", "·", *_TO_COME[2:]]),
-        (b"", -1, "eia", _TO_COME),
-        (eia.encode("12X"), 1, "eia", []),
+        (ascii.encode(f"1\n{_BLOCK}\n", fill=6), 14, codes.ASCII, _READ),
+        (eia.encode(f"1\n{_BLOCK}\n".replace(" ", "0")), 7, codes.EIA, _READ),
+        (eia.encode("1\n"), 1, codes.EIA, ["1↵", "·", *_TO_COME[2:]]),
+        (b"", -1, codes.EIA, _TO_COME),
+        (eia.encode("12X"), 1, codes.EIA, []),
         (b"\x80\x80", 1, "bin", []),
     ],
 )
-def test_what_of_a_block_is_read(frames: bytes, head: int, code: str, texts: list[str]) -> None:
+def test_what_of_a_block_is_read(frames: bytes, head: int, code: Code, texts: list[str]) -> None:
     assert passing(frames, head, code) == texts

@@ -4,7 +4,7 @@ import pytest
 
 from pdp8 import shelf
 from pdp8.computer.use import program
-from tapes import binary, kinds, rim
+from tapes import binary, codes, rim
 from tapes.errors import WorkError
 
 WORDS = {0o200: 0o7001, 0o201: 0o7402}
@@ -15,13 +15,13 @@ def test_source_and_its_tape_are_the_same_program(name: str) -> None:
     found = shelf.program(name)
     assert found.words[0o200] == 0o6046
     assert len(found.words) == 131
-    assert kinds.classify(found.tape) == kinds.BIN
+    assert codes.recognise(found.tape) is codes.BIN
     assert found.listing.line(0o227, 0).startswith("0227  0000")
 
 
 def test_a_rim_tape_is_its_own_tape() -> None:
     found = program.read(rim.encode(WORDS), "x.rim")
-    assert (found.name, found.kind, found.words) == ("x.rim", kinds.RIM, WORDS)
+    assert (found.name, found.code, found.words) == ("x.rim", codes.RIM, WORDS)
     assert found.tape == rim.encode(WORDS)
     assert found.listing.symbols == {}
     assert found.listing.line(0o200, 0o7001) == "0200  7001          IAC             /0200 7001"

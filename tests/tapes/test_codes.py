@@ -5,14 +5,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pdp8 import shelf
-from tapes import ascii, binary, eia, kinds, rim
-from tapes.kinds import classify
+from tapes import ascii, binary, codes, eia, rim
+from tapes.code import Characters, Code
+from tapes.loaders import Words
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 
 WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=1)
 PARITIES = st.sampled_from(["mark", "even", "odd", "none"])
 PAL = st.text(st.sampled_from("ABCTADZ0127 *,/=\n"), min_size=4).map(lambda text: text + "\n")
 NC = st.lists(st.text(st.sampled_from("0123456789"), min_size=19, max_size=19), min_size=1)
+
+
+def classify(tape: bytes) -> str:
+    """Return the name of a tape's code."""
+    return codes.recognise(tape).name
 
 
 @given(WORDS)
@@ -104,8 +110,8 @@ def test_a_damaged_tape_keeps_its_kind(kind: str, tape: bytes, first: int, last:
     ],
 )
 def test_what_a_program_for_ascii_does_not_find(tape: bytes, said: str) -> None:
-    assert kinds.doubt(tape).startswith(said)
-    assert bool(kinds.doubt(tape)) == bool(said)
+    assert codes.recognise(tape).doubt(tape).startswith(said)
+    assert bool(codes.recognise(tape).doubt(tape)) == bool(said)
 
 
 def test_a_damaged_bin_tape_of_single_words_is_no_rim_tape() -> None:
@@ -113,3 +119,19 @@ def test_a_damaged_bin_tape_of_single_words_is_no_rim_tape() -> None:
     tape = bytearray(binary.encode(dict.fromkeys(range(0o200, 0o400, 0o20), 0o1234)))
     tape[tape.index(0o34)] ^= 1
     assert classify(bytes(tape)) == "bin"
+
+
+@pytest.mark.parametrize("code", codes.CODES, ids=lambda code: code.name)
+def test_what_every_code_does(code: Code) -> None:
+    """Its own tape is recognised and read back; damaged or not, each frame has a caption."""
+    if isinstance(code, Characters):
+        text = "0010000000000003588\n0029030000350000189\n"
+        tape = code.encode(text)
+        assert code.decode(tape) == text
+    else:
+        assert isinstance(code, Words)
+        tape = code.encode(FORMAT_WORDS)
+        assert code.decode(tape) == FORMAT_WORDS
+    assert codes.recognise(tape) is codes.named(code.name) is code
+    assert len(code.captions(tape)) == len(tape)
+    assert len(code.captions(bytes(range(256)))) == 256

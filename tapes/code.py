@@ -1,0 +1,132 @@
+"""What is known of a tape code, in one object; `codes.CODES` lists them.
+
+Code         a code in which no frame says anything: of a blank tape, of one that no code fits
+Characters   a code of characters: ascii.ASCII, eia.EIA
+Words        a format of words for core, in loaders.py: BIN, RIM
+"""
+
+from collections.abc import Callable, Collection, Iterable
+from typing import Final, NamedTuple
+
+from tapes.errors import TapeError
+from tapes.quantities import counted
+
+Row = tuple[str, str]
+"""A name and a value, as `pdp8 tape info` prints them."""
+
+WHOLE: Final = 1.0
+LABELLED: Final = 0.8
+LED: Final = 0.6
+MOSTLY: Final = 0.4
+PERHAPS: Final = 0.2
+"""How likely a tape is in a code: every frame fits, and so does what only this code has; the same after a
+label; it begins with that code's own leader; nine frames in ten fit; it begins so. 0.0: it is not.
+"""
+
+
+class Rule(NamedTuple):
+    """What each frame of a tape obeys whatever the others are: its name, and whether a frame does,
+    `obeyed(number, frame)`.
+    """
+
+    name: str
+    obeyed: Callable[[int, int], bool]
+
+
+class Code:
+    """A tape code.
+
+    name     as the options --code and --to take it
+    title    as `pdp8 tape info` calls it
+    article  as messages speak of such a tape
+    paper    the colour of its paper on the page
+    """
+
+    def __init__(self, name: str, title: str, article: str, paper: str = "#dde3d3") -> None:
+        self.name = name
+        self.title = title
+        self.article = article
+        self.paper = paper
+
+    def likelihood(self, frames: bytes) -> float:
+        """Return how likely a tape is in this code, from 0.0 to WHOLE."""
+        return 0.0
+
+    def caption(self, frame: int) -> str:
+        """Return what a frame says by itself, in a few letters."""
+        return f"{frame:03o}"
+
+    def captions(self, frames: bytes) -> list[str]:
+        """Return a caption for each frame of a tape, whatever its damage."""
+        return [""] * len(frames)
+
+    def labels(self, frames: bytes) -> tuple[range, ...]:
+        """Return the frames of letters punched for the eye."""
+        return ()
+
+    def report(self, frames: bytes) -> list[Row]:
+        """Return what `pdp8 tape info` says of a tape in this code beside its length."""
+        return []
+
+    def leader(self) -> int:
+        """Return the frame of which leader and trailer consist."""
+        return 0o200
+
+    def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
+        """Return what the frames obey, `doubtful` ones apart; None if a frame cannot show its own faults."""
+        return None
+
+    def sums_up(self, frames: bytes) -> bool | None:
+        """Whether the checksum of a tape is right; None in a code that has none."""
+        return None
+
+    def sense(self, frames: bytes) -> float:
+        """Return how much sense a tape makes in its order; 0.0 if that cannot be said."""
+        return 0.0
+
+    def doubt(self, frames: bytes) -> str:
+        """Return why a program that reads ASCII may not do with this tape what one expects; "" if it may."""
+        return ""
+
+
+class Characters(Code):
+    """A code of characters. A subclass says how they are punched and read."""
+
+    def encode(self, text: str, parity: str = "mark", fill: int = 6) -> bytes:
+        """Punch a text; `parity` and `fill` are those of ASCII. Raises TextError with line and column."""
+        raise NotImplementedError
+
+    def decode(self, frames: bytes) -> str:
+        r"""Return what the tape says, its lines ended by "\n". Raises TapeError with the frame."""
+        raise NotImplementedError
+
+    def captions(self, frames: bytes) -> list[str]:
+        """Return the character of each frame, or the name of its function."""
+        return [self.caption(frame) for frame in frames]
+
+
+def fault(read: Callable[[bytes], object], frames: bytes) -> str | None:
+    """Return the message of the TapeError that `read` raises of a tape, None if it raises none."""
+    try:
+        read(frames)
+    except TapeError as error:
+        return str(error)
+    return None
+
+
+def nearly_all(frames: bytes, of: bytes) -> bool:
+    """Whether at least nine in ten of the frames are one of `of`."""
+    return not frames or 1 - len(frames.translate(None, of)) / len(frames) >= 0.9
+
+
+def lengths(counts: Iterable[int], unit: str) -> str:
+    """Return the least and the most of some lengths: " of 19 characters", " of 1 to 3 characters"."""
+    found = sorted(set(counts))
+    if not found:
+        return ""
+    return f" of {counted(found[0], unit)}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
+
+
+def unended(rest: str | bytes, unit: str) -> str:
+    """Return what follows the last line or block of a tape: ", then 3 frames without an end", or ""."""
+    return f", then {counted(len(rest), unit)} without an end" if rest else ""

@@ -1,0 +1,51 @@
+"""Every tape code, and which of them a tape is in, by its frames.
+
+Most of the frames decide, so that a damaged tape keeps its code, and the reader of that code can name the
+frame that is wrong. Where two codes are as likely, the first in CODES has it.
+
+To add a code, write its file beside eia.py, and name its object here.
+"""
+
+from typing import Final
+
+from tapes import ascii, eia, loaders
+from tapes.code import Code
+from tapes.frames import BLANK, label_before, leader_start, skip
+
+BIN: Final = loaders.BIN
+RIM: Final = loaders.RIM
+ASCII: Final = ascii.ASCII
+EIA: Final = eia.EIA
+
+CODES: Final[tuple[Code, ...]] = (BIN, RIM, ASCII, EIA)
+
+BLANK_TAPE: Final = Code("blank", "blank", "a blank tape")
+UNKNOWN: Final = Code(
+    "unknown", f"unknown: none of {', '.join(code.name.upper() for code in CODES)}", "a tape of no known code"
+)
+
+
+def recognise(frames: bytes) -> Code:
+    """Return the code that a tape is most likely in; BLANK_TAPE if it has no holes, UNKNOWN if none fits."""
+    body = frames[skip(frames, 0, BLANK) :]
+    found, most = (UNKNOWN, 0.0) if body else (BLANK_TAPE, 1.0)
+    for code in CODES if body else ():
+        likelihood = code.likelihood(body)
+        if likelihood > most:
+            found, most = code, likelihood
+    return found
+
+
+def named(name: str) -> Code:
+    """Return the code of this name; UNKNOWN, in which frames have no captions, if there is none."""
+    return next((code for code in (*CODES, BLANK_TAPE) if code.name == name), UNKNOWN)
+
+
+def start(frames: bytes) -> int:
+    """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
+    label of a tape of words; any other tape's first.
+    """
+    leader = leader_start(frames)
+    if leader is None or (label_before(frames, leader) and not isinstance(recognise(frames), loaders.Words)):
+        return 0
+    return leader

@@ -1,0 +1,299 @@
+"""The two codes of DEC's loaders, BIN and RIM, as tapes: recognised, captioned, reported.
+
+    bin, rim   leader, then frames of the formats' classes; letters for the eye may stand before it
+
+A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
+and differs in what stands before the trailer: its checksum. So a tape that reads as both is BIN when its
+checksum is good and it holds a word by that reading; one RIM tape in 4096 is taken for BIN by this.
+
+Formats: binary.py and rim.py.
+"""
+
+from collections.abc import Collection, Iterator, Mapping
+from itertools import pairwise
+from typing import Final
+
+from tapes import ascii, binary, rim
+from tapes.code import LABELLED, LED, MOSTLY, PERHAPS, WHOLE, Code, Row, Rule, fault, nearly_all
+from tapes.errors import TapeError
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    PARITIES,
+    RUBOUT,
+    begins_as_words,
+    draw_label,
+    find_leader,
+    leader_start,
+    skip,
+    strip,
+)
+from tapes.quantities import counted, ranges
+
+_NO_WORD = bytes([BLANK, LEADER, RUBOUT])
+
+
+class Words(Code):
+    """A code of words for core. A subclass says how they are punched and read."""
+
+    def encode(self, words: Mapping[int, int]) -> bytes:
+        """Punch {address: word}. Raises TapeError for what the format cannot name."""
+        raise NotImplementedError
+
+    def decode(self, frames: bytes) -> dict[int, int]:
+        """Return {address: word}. Raises TapeError with the frame of the damage."""
+        raise NotImplementedError
+
+    def damage(self, frames: bytes) -> TapeError | None:
+        """Return what is wrong with a tape, None if nothing is."""
+        raise NotImplementedError
+
+    def labels(self, frames: bytes) -> tuple[range, ...]:
+        """Return the frames of labels: before the leader, after the last trailer."""
+        raise NotImplementedError
+
+    def left_out(self, frames: bytes) -> tuple[str, ...]:
+        """Return what to say of a tape beside its program: labels, a good section after one."""
+        return tuple(f"a label of {_place(label)}, left out" for label in self.labels(frames))
+
+    def likelihood(self, frames: bytes) -> float:
+        """Return how likely a tape is in this format."""
+        whole = self._whole(frames) if frames[0] == LEADER else 0.0
+        if whole:
+            return whole
+        start = leader_start(frames)
+        if start and b"\r\n" not in frames[:start].translate(PARITIES["none"]):
+            tape = frames[start:]  # letters for the eye stand before it: lines of text do not
+            whole = self._whole(tape)
+            if whole:
+                return LABELLED * whole
+            if self._likelihood(tape) == LED and not nearly_all(tape.strip(_NO_WORD), ascii.WRITING):
+                return LABELLED * 0.9
+        return self._likelihood(frames)
+
+    def _whole(self, frames: bytes) -> float:
+        """Return WHOLE if every frame fits, a little less if that says little, else 0.0."""
+        raise NotImplementedError
+
+    def _empty(self) -> float:
+        """Return how likely a tape is in this format that is nothing but leader."""
+        return 0.0
+
+    def _steps(self, by_words: bool) -> bool:
+        """Whether a tape is in this format whose addresses come `by_words`, every four frames, or do not."""
+        raise NotImplementedError
+
+    def _likelihood(self, frames: bytes) -> float:
+        _, content, trailer = strip(frames)
+        if not content:
+            return self._empty()
+        if not begins_as_words(frames, content) or not self._steps(_by_words(content, LEADER in trailer)):
+            return 0.0
+        return LED if frames.startswith(LEAST_LEADER) and not _has_lines(content) else PERHAPS
+
+    def captions(self, frames: bytes) -> list[str]:
+        """Return what each frame is: leader, an address or origin, a word, a label."""
+        said: list[str] = []
+        for label in (*self.labels(frames), range(len(frames), len(frames))):
+            said += self._between(frames[len(said) : label.start])
+            said += ["label"] * len(label)
+        return said
+
+    def _between(self, frames: bytes) -> list[str]:
+        raise NotImplementedError
+
+    def sense(self, frames: bytes) -> float:
+        """Return how far a tape reads without damage."""
+        damage = self.damage(frames)
+        return len(frames) if damage is None or damage.frame is None else damage.frame
+
+
+class _Bin(Words):
+    def encode(self, words: Mapping[int, int]) -> bytes:
+        return binary.encode(words)
+
+    def decode(self, frames: bytes) -> dict[int, int]:
+        return binary.decode(frames).words
+
+    def damage(self, frames: bytes) -> TapeError | None:
+        try:
+            return binary.find_damage(binary.read(frames))
+        except TapeError as error:
+            return error
+
+    def labels(self, frames: bytes) -> tuple[range, ...]:
+        try:
+            return binary.read(frames).labels
+        except TapeError:
+            return ()
+
+    def left_out(self, frames: bytes) -> tuple[str, ...]:
+        start = binary.find_apart(frames, binary.read(frames))
+        apart = f"after the label, from frame {start} on, a good section: a tape of its own, left out"
+        return (*super().left_out(frames), *[apart] * (start is not None))
+
+    def _whole(self, frames: bytes) -> float:
+        try:
+            return WHOLE if binary.decode(frames).words else 0.95 * WHOLE
+        except TapeError:
+            return 0.0
+
+    def _empty(self) -> float:
+        return MOSTLY
+
+    def _steps(self, by_words: bool) -> bool:
+        return not by_words
+
+    def _between(self, frames: bytes) -> list[str]:
+        said: list[str] = []
+        address: int | None = None
+        at = 0
+        while at < len(frames):
+            frame, end = frames[at], at + 1
+            closing = frames.find(RUBOUT, end) if frame == RUBOUT else -1
+            if closing != -1:
+                said += ["rubout", *(f"({ascii.name(each)})" for each in frames[end:closing]), "rubout"]
+                end = closing + 1
+            elif frame == BLANK and (at == 0 or frames[at - 1] == LEADER):  # blank tape is no word
+                end = skip(frames, at, BLANK)
+                said += ["blank"] * (end - at)
+            elif frame < LEADER and end < len(frames) and frames[end] < 0o100:
+                value = (frame & 0o77) << 6 | frames[end]
+                end += 1
+                if frame >> 6:
+                    caption, address = f"origin {value:04o}", value
+                elif address is None or frames[end : end + 1] == bytes([LEADER]):
+                    caption, address = f"checksum {value:04o}", None
+                else:
+                    caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
+                said += [caption, '"']
+            else:
+                said.append(_single(frame))
+            at = end
+        return said
+
+    def report(self, frames: bytes) -> list[Row]:
+        """Return checksums, counts, addresses, labels and damage."""
+        if damage := fault(binary.read, frames):
+            return [("damage", damage)]
+        reading = binary.read(frames)
+        first = (reading.sections[0].items if reading.sections else ()) or reading.unended
+        first = tuple(item for item in first if item.kind != binary.FIELD)
+        if first and first[0].kind == binary.WORD:
+            said = "a word before any origin. The BIN loader has no address for it; an object tape of FORTRAN"
+            return [("damage", f"frame {first[0].frame}: {said} looks so")]
+        rows: list[Row] = []
+        for section in reading.sections:
+            good = section.computed == section.punched
+            verdict = "good" if good else f"WRONG, {section.computed:04o} computed"
+            held = [item.kind for item in section.items]
+            holds = [f"{kind}s {held.count(kind)}" for kind in (binary.WORD, binary.ORIGIN, binary.FIELD)]
+            rows.append(("checksum", f"{section.punched:04o} at frame {section.frame}: {verdict}"))
+            rows.append(("holds", ", ".join(holds)))
+        if reading.damage:
+            rows.append(("damage", str(reading.damage)))
+        if fault(binary.decode, frames) is None:
+            rows.append(("core", ranges(binary.content(reading).words)))
+        rows += _labels(frames, reading.labels)
+        start = binary.find_apart(frames, reading)
+        if start is not None:
+            rows.append(
+                ("apart", f"a good section from frame {start} on, after the label: a tape of its own")
+            )
+        return rows
+
+    def sums_up(self, frames: bytes) -> bool | None:
+        return self._whole(frames) == WHOLE
+
+
+class _Rim(Words):
+    def encode(self, words: Mapping[int, int]) -> bytes:
+        return rim.encode(words)
+
+    def decode(self, frames: bytes) -> dict[int, int]:
+        return rim.decode(frames)
+
+    def damage(self, frames: bytes) -> TapeError | None:
+        try:
+            return rim.read(frames).damage
+        except TapeError as error:
+            return error
+
+    def labels(self, frames: bytes) -> tuple[range, ...]:
+        try:
+            return rim.read(frames).labels
+        except TapeError:
+            return ()
+
+    def _whole(self, frames: bytes) -> float:
+        return 0.0 if self.damage(frames) else WHOLE
+
+    def _steps(self, by_words: bool) -> bool:
+        return by_words
+
+    def _between(self, frames: bytes) -> list[str]:
+        said: list[str] = []
+        while len(said) < len(frames):
+            group = frames[len(said) : len(said) + 4]
+            if len(group) == 4 and [frame >> 6 for frame in group] == [1, 0, 0, 0]:
+                address, word = (group[0] & 0o77) << 6 | group[1], group[2] << 6 | group[3]
+                said += [f"address {address:04o}", '"', f"{word:04o}", '"']
+            else:
+                said.append(_single(group[0]))
+        return said
+
+    def report(self, frames: bytes) -> list[Row]:
+        """Return the count of words, their addresses, labels and damage."""
+        if damage := fault(rim.read, frames):
+            return [("damage", damage)]
+        words, wrong, labels = rim.read(frames)
+        held = ("holds", f"{counted(len(words), 'words')}; RIM has no checksum")
+        damages = [("damage", str(wrong))] * (wrong is not None)
+        return [held, ("core", ranges(words)), *damages, *_labels(frames, labels)]
+
+    def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
+        """Return RIM's order: an address every four frames, and channel 7 in its first only."""
+        start = skip(frames, find_leader(frames), LEADER)
+        return Rule(
+            "RIM's order",
+            lambda at, frame: at < start or frame == LEADER or frame >> 6 == ((at - start) % 4 == 0),
+        )
+
+
+BIN: Final = _Bin("bin", "BIN, DEC's binary loader format", "a BIN tape")
+RIM: Final = _Rim("rim", "RIM, DEC's read-in mode format", "a RIM tape")
+
+
+def _has_lines(content: bytes) -> bool:
+    codes = content.translate(PARITIES["none"])
+    return nearly_all(content, ascii.WRITING) and (ascii.CR in codes or ascii.LF in codes)
+
+
+def _by_words(content: bytes, ended: bool) -> bool:
+    """Whether addresses come every four frames, as on a RIM tape; before a checksum come six."""
+    addresses = [at for at, frame in enumerate(content) if frame >> 6 == 1]
+    steps = [after - at for at, after in pairwise([*addresses, *[len(content)] * ended])]
+    return bool(steps) and steps.count(4) >= 0.75 * len(steps) and steps[-1] != 6
+
+
+def _single(frame: int) -> str:
+    if frame == LEADER:
+        return "leader"
+    if frame == RUBOUT:
+        return "rubout"
+    if frame == BLANK:
+        return "blank"
+    return f"field {frame >> 3 & 7}" if frame >> 6 == 3 else "?"
+
+
+def _labels(frames: bytes, labels: tuple[range, ...]) -> Iterator[Row]:
+    """Say where each label is, and draw it as the eye reads it."""
+    for label in labels:
+        yield "label", _place(label)
+        for row in draw_label(frames[label.start : label.stop]):
+            yield "", row
+
+
+def _place(label: range) -> str:
+    return f"{counted(len(label), 'frames')} from frame {label.start} on"
