@@ -32,7 +32,7 @@ SPROCKET_HOLE = 46
 _MARGIN = 700
 _ABOVE = 200
 _BELOW = 300
-_LETTER = 38
+_LETTER = 54
 
 
 def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None) -> str:
@@ -83,7 +83,7 @@ def svg(
 _STYLE = """<style>
 .page { fill: #fff } .paper { fill: #f3e7c3; stroke: #b9a873; stroke-width: 6 }
 .hole { fill: #fff; stroke: #3c3524; stroke-width: 5 }
-text { font: 62px monospace; fill: #222 } .track { text-anchor: end } .count { text-anchor: middle }
+text { font: 90px monospace; fill: #222 } .track { text-anchor: end } .count { text-anchor: middle }
 .arrow { fill: #222 }
 </style>"""
 
@@ -110,10 +110,10 @@ def _strip(rows: list[_Row], top: int, tracks: bool) -> Iterator[str]:
     yield f'<rect class="paper" x="{_MARGIN}" y="{top}" width="{PITCH * len(rows)}" height="{WIDTH}"/>'
     yield f'<text x="80" y="{top + track(1) - 50}">{"track" if tracks else "channel"}</text>'
     for place, number in places:
-        yield f'<text class="track" x="{_MARGIN - 60}" y="{place + top + 21}">{number}</text>'
+        yield f'<text class="track" x="{_MARGIN - 60}" y="{place + top + 31}">{number}</text>'
     arrow = f"M 80 {top + SPROCKET_TRACK} l 120 -60 v 40 h 160 v 40 h -160 v 40 z"
     yield f'<path class="arrow" d="{arrow}"/>'
-    yield f'<text x="80" y="{top + SPROCKET_TRACK + 150}">feed</text>'
+    yield f'<text x="80" y="{top + SPROCKET_TRACK + 170}">feed</text>'
     for place, row in enumerate(rows):
         yield from _frame(row, _MARGIN + PITCH * place + PITCH // 2, top)
 
@@ -126,7 +126,7 @@ def _frame(row: _Row, x: int, top: int) -> Iterator[str]:
     for channel in reversed(channels(frame)):
         yield _hole(x, top + track(channel), CODE_HOLE)
     words = escape(f"{frame:03o} {caption}".rstrip())
-    yield f'<text transform="translate({x - 20} {top + WIDTH + 50})rotate(90)">{words}</text>'
+    yield f'<text transform="translate({x - 30} {top + WIDTH + 50})rotate(90)">{words}</text>'
 
 
 def track(channel: int) -> int:

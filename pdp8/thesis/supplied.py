@@ -37,7 +37,7 @@ def _supplied(row: Row, scan: str, artefact: str) -> list[bool]:
     if row.kind == "legible":
         return [False] * len(ours)
     if artefact.endswith(".pal"):
-        digits, source = _pal_shown(scan)
+        digits, source = _pal_shown(scan, second=row.scan == "^")
         shown = "" if row.kind == "implied" else source
         return _unlike(digits, ours[:_PAL_DIGITS]) + _unlike(shown, ours[_PAL_DIGITS:])
     if row.kind != "damaged" and artefact.endswith(".for"):  # of the statement itself nothing is left
@@ -46,16 +46,23 @@ def _supplied(row: Row, scan: str, artefact: str) -> list[bool]:
     return _unlike("".join(read(scan, artefact).split()), ours)
 
 
-def _pal_shown(scan: str) -> tuple[str, str]:
-    """Return the octal digits and the source that a line shows, of two lines run together those of both."""
+def _pal_shown(scan: str, *, second: bool) -> tuple[str, str]:
+    """Return the octal digits and the source that a line shows; of two lines run together, those of one."""
     digits, source = pal_line(scan)
     words = source.translate(_ZEROS).split()
-    more = [word for word in words if re.fullmatch("[0-7]{4}", word)]
-    return digits + "".join(more), "".join(word for word in words if word not in more)
+    merged = [word for word in words if re.fullmatch("[0-7]{4}", word)]
+    if len(merged) == 2:  # both addresses stand before both words
+        digits = digits[4:] + merged[1] if second else digits[:4] + merged[0]
+    return digits, "".join(word for word in words if word not in merged)
 
 
 def _unlike(shown: str, ours: str) -> list[bool]:
-    """Return of each character of `ours` whether it has none to match in what is shown."""
+    """Return of each character of `ours` whether the scan does not show it.
+
+    Text of the same length is compared place by place, other text by its longest common runs.
+    """
+    if len(shown) == len(ours):
+        return [one != other for one, other in zip(shown, ours, strict=True)]
     lacks = [True] * len(ours)
     for match in SequenceMatcher(None, shown, ours, autojunk=False).get_matching_blocks():
         lacks[match.b : match.b + match.size] = [False] * match.size

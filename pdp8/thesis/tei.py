@@ -1,57 +1,127 @@
-"""The evidence as TEI, for editors: what the scan shows, and what is supplied where it shows nothing.
+"""The evidence as TEI, for editors: what the scan shows, what it misreads, and what is supplied.
 
-    <pb n="106"/><gap reason="lost" unit="page"/>                          a page that the scan has lost
-    <ab><supplied reason="lost" cert="high">0340 1103 TAD P0</supplied>    what we put there
-      <note>as 0250; ...</note></ab>                                       and why
+    <pb n="106"/><gap reason="lost" unit="page"/>                       a page that the scan has lost
+    <ab><choice><sic>0205 3190</sic>                                    a damaged line as the scan has it
+      <corr resp="#pdp8">0205 3100 <supplied ...>DCA HOLD</supplied></corr></choice>      and as it was
+      <note resp="#pdp8">9 is no octal digit; ...</note></ab>           and why
 
-Of a damaged line the characters that cannot be read are `illegible`. A conjecture has cert="low".
+What is supplied has cert="low" if it is a conjecture, a tag that is ours, an operand that may have been a
+tag, or the wording of a table. `eia1.pal` and `eia2.pal` are ours: no page of the thesis has them.
 
-Source: TEI P5, chapters 11.3 (supplied, gap) and 3.5 (note).
+Source: TEI P5, chapters 2 (header), 3.5 (sic, corr), 11.3 (supplied, gap); tests validate it by TEI's schema.
 """
 
+import re
 from collections.abc import Iterator
 from itertools import groupby
 from typing import Final
 from xml.sax.saxutils import escape
 
-from pdp8.thesis.evidence import Row
+from pdp8.thesis.evidence import TABLES, Row, read
 from pdp8.thesis.supplied import marked
+
+RECONSTRUCTIONS: Final = ("eia1.pal", "eia2.pal")
+"""Programs that the thesis describes and does not list."""
+
+_THESIS: Final = """<bibl><author>Moses S. Wong</author>, <title>The Application of a Point-to-Point
+Numerical Control Machine for Continuous Contour Cutting</title>, M.Eng. thesis, McMaster University,
+<date when="1971-12">December 1971</date>{what}</bibl>"""
 
 _HEADER: Final = """<?xml version="1.0" encoding="UTF-8"?>
 <TEI xmlns="http://www.tei-c.org/ns/1.0">
 <teiHeader><fileDesc>
-<titleStmt><title>{name}</title><author>Moses S. Wong</author></titleStmt>
-<publicationStmt><p>pdp8 thesis evidence {name} --tei. The text is the author's.</p></publicationStmt>
-<sourceDesc><bibl><author>Moses S. Wong</author>, <title>The Application of a Point-to-Point Numerical
-Control Machine for Continuous Contour Cutting</title>, M.Eng. thesis, McMaster University,
-<date when="1971-12">December 1971</date>; from the text of a scan.</bibl></sourceDesc>
-</fileDesc></teiHeader>
+<titleStmt><title>{name}: {title}</title>{author}
+<respStmt><resp>{resp}</resp><orgName xml:id="pdp8">the pdp8 project</orgName></respStmt></titleStmt>
+<publicationStmt><distributor>the pdp8 project</distributor><idno>pdp8 thesis evidence {name} --tei</idno>
+<availability status="restricted">{licence}</availability></publicationStmt>
+<sourceDesc>{source}</sourceDesc>
+</fileDesc>
+<encodingDesc><editorialDecl>{editorial}</editorialDecl></encodingDesc></teiHeader>
 <text><body>
 """
+_TITLES: Final = {
+    "eia.pal": "the conversion program, Appendix B",
+    "eia1.pal": "a reconstruction of the first conversion program of Chapter 5",
+    "eia2.pal": "a reconstruction of the second conversion program of Chapter 5",
+    "circle.for": "the FORTRAN circle program, Appendix C",
+    "ellipse.for": "the FORTRAN ellipse program, Appendix D",
+    "ch2-block": "the fixed block, Chapter 2",
+    "2.3": "Table 2.3",
+    "ch4-memory-reference": "the memory reference instructions, Chapter 4",
+    "ch4-microinstructions": "the microinstructions, Chapter 4",
+    "ch4-input-output": "the input-output instructions, Chapter 4",
+}
+_OURS: Final = '<licence target="https://opensource.org/license/mit">The MIT license.</licence>'
+_HIS: Final = """<p>The text is Moses S. Wong's; ask him, or McMaster University.</p>
+<p>What is supplied, the notes and the markup: the MIT license.</p>"""
+_EDITORIAL: Final = """<p>The source is the text of a scan; the pictures of the pages were not at hand.
+Legible lines are read by six rules (slashed zeros, points, spaces, boldface, stray marks, line numbers).
+choice has the scan's text of a damaged line in sic, and in corr the line as it was; two lines that the scan
+has run together are in the first one's sic. supplied is what the scan does not show: cert is "low" for a
+conjecture, for tags, for operands that may have been tags, and for the wording of tables.</p>"""
+_RECONSTRUCTED: Final = """<p>No listing of this program survives. A note says what each line is taken from:
+pages 44 and 45, which describe the program, or the listing of the third program.</p>"""
 
 
 def tei(artefact: str) -> str:
     """Return the thesis's rows of an artefact as a TEI document. Raises WorkError if there is none."""
-    pages = []
-    for page, group in groupby(marked(artefact), key=lambda each: each[0].page):
+    lines = list(marked(artefact))
+    if artefact in RECONSTRUCTIONS:
+        body = "".join(f"<ab>{escape(row.ours)}{_note(row)}</ab>\n" for row, _ in lines)
+        source = _THESIS.format(what=", pages 44 and 45, from the text of a scan")
+        says = {"author": "", "resp": "reconstructed by", "licence": _OURS, "editorial": _RECONSTRUCTED}
+    else:
+        body = "".join(_pages(lines, artefact))
+        source = _THESIS.format(what="; from the text of a scan")
+        resp = "supplied, corrected and annotated by"
+        author = "<author>Moses S. Wong</author>"
+        says = {"author": author, "resp": resp, "licence": _HIS, "editorial": _EDITORIAL}
+    header = _HEADER.format(name=artefact, title=_TITLES[artefact], source=source, **says)
+    return header + body + "</body></text>\n</TEI>\n"
+
+
+def _pages(lines: list[tuple[Row, list[bool]]], artefact: str) -> Iterator[str]:
+    """Yield each page: its break, the gap if the scan has lost it, its lines."""
+    tags = {row.ours.split()[2].rstrip(",") for row, _ in lines if "the tag is ours" in row.reason}
+    for page, group in groupby(lines, key=lambda each: each[0].page):
         rows = list(group)
-        lost = "" if any(row.scan for row, _ in rows) else '<gap reason="lost" unit="page"/>'
-        lines = "".join(f"<ab>{''.join(_line(row, supplied))}</ab>\n" for row, supplied in rows)
-        pages.append(f'<pb n="{page}"/>{lost}\n{lines}')
-    return _HEADER.format(name=artefact) + "".join(pages) + "</body></text>\n</TEI>\n"
+        yield f'<pb n="{page}"/>'
+        yield "\n" if any(row.scan for row, _ in rows) else '<gap reason="lost" unit="page" quantity="1"/>\n'
+        for row, supplied in rows:
+            text = "".join(_runs(row, supplied, tags, artefact))
+            if _is_misread(row, artefact):
+                corr = f'<corr resp="#pdp8" cert="{_cert(row, artefact)}">{text}</corr>'
+                text = f"<choice><sic>{escape(row.scan)}</sic>{corr}</choice>"
+            yield f"<ab>{text}{_note(row)}</ab>\n"
 
 
-def _line(row: Row, supplied: list[bool]) -> Iterator[str]:
-    """Yield a line's text, supplied or not, a run at a time, and the reason for it."""
-    flags = iter(supplied)
-    given, run = [], False
-    for character in row.ours:
-        run = run if character == " " else next(flags)
-        given.append((run, character))
+def _is_misread(row: Row, artefact: str) -> bool:
+    """Whether the scan has characters of this line, and some of them are others than ours."""
+    if row.kind == "damaged":
+        return row.scan != "^"
+    shown = read(row.scan, artefact)
+    return artefact in TABLES and row.kind == "conjecture" and len(shown) == len(row.ours)
+
+
+def _cert(row: Row, artefact: str) -> str:
+    return "low" if row.kind == "conjecture" or artefact in TABLES else "high"
+
+
+def _note(row: Row) -> str:
+    return f'<note resp="#pdp8">{escape(row.reason)}</note>' if row.reason else ""
+
+
+def _runs(row: Row, supplied: list[bool], tags: set[str], artefact: str) -> Iterator[str]:
+    """Yield a line's text by runs of one kind: as the scan shows it, or supplied, surely or not."""
+    flags, usual = iter(supplied), _cert(row, artefact)
     reason = "illegible" if row.kind == "damaged" else "lost"
-    opened = f'<supplied reason="{reason}" cert="{"low" if row.kind == "conjecture" else "high"}">'
-    for is_supplied, characters in groupby(given, key=lambda each: each[0]):
+    given: list[tuple[str, str]] = []
+    for word in re.findall(r"\S+|\s+", row.ours):
+        cert = "low" if word.rstrip(",") in tags or word == ".-1" else usual
+        for character in word:
+            last = given[-1][0] if given else ""
+            given.append((last if word.isspace() else cert if next(flags) else "", character))
+    for cert, characters in groupby(given, key=lambda each: each[0]):
         text = escape("".join(character for _, character in characters))
-        yield f"{opened}{text}</supplied>" if is_supplied else text
-    if row.reason:
-        yield f"<note>{escape(row.reason)}</note>"
+        mark = f'<supplied resp="#pdp8" reason="{reason}" cert="{cert}">'
+        yield f"{mark}{text}</supplied>" if cert else text

@@ -59,7 +59,8 @@ def test_what_the_scan_does_not_show_is_in_brackets() -> None:
     b, c, d = (facsimile(appendix).replace("Ø", "0") for appendix in "BCD")
     for line in (
         "0200  6046 [START,  TLS]",
-        "0205  310[0          DCA HOLD]",
+        "0205  31[0]0         [DCA HOLD]",
+        "0[10]0  0000  HOLD,   0",
         "[0232] 5236         [JMP N1]",
     ):
         assert f"\n{line}\n" in b
@@ -83,6 +84,23 @@ def test_what_stands_outside_of_brackets_is_the_scan_s(artefact: str) -> None:
         scan = iter(above.translate(ZEROS))
         assert row.kind == "legible" or all(character in scan for character in kept), row
         assert any(lost) or row.kind == "legible" or re.search("two lines|dirt", row.reason), row
+
+
+@pytest.mark.parametrize("artefact", ["eia.pal", "circle.for", "ellipse.for"])
+def test_brackets_are_about_the_very_places_where_the_scan_differs(artefact: str) -> None:
+    """Where the scan has as many characters as ours, beside each other; the first two rules read both."""
+    compared, zeros = 0, ZEROS if artefact.endswith(".pal") else str.maketrans("Ø•", "0.")
+    for row, lost in marked(artefact):
+        scan = "".join(row.scan.replace("¦", "").split()).translate(zeros)
+        ours = "".join(row.ours.split()).translate(zeros)
+        if row.kind == "damaged" and len(scan) == len(ours):
+            compared += 1
+            assert lost == [one != other for one, other in zip(scan, ours, strict=True)], row
+        words = row.scan.translate(zeros).split()[:2]
+        if row.kind == "damaged" and [len(word) for word in words] == [4, 4] and not row.scan[8:].strip(" •"):
+            compared += 1
+            assert lost[:8] == [one != other for one, other in zip("".join(words), ours, strict=False)], row
+    assert compared
 
 
 def test_the_columns_are_those_of_page_109() -> None:
