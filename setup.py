@@ -27,8 +27,10 @@ DEVICES = (
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
     "pdp8.computer.speed.waiting",
 )
+PAL8 = ("expressions", "operators", "log", "lexer", "output", "table", "literals", "assembler")
 MODULES = (  # the largest first: no core waits for it at the end
-    *(f"pal.{name}" for name in ("pal8", "assembler", "table", "notes", "listing", "source", "isa")),
+    *(f"pal.{name}" for name in ("assembler", "table", "notes", "listing", "source", "isa")),
+    *(f"pal.pal8.{name}" for name in PAL8),
     *DEVICES,
     "pdp8.computer.speed.engine",
 )
@@ -42,7 +44,6 @@ if "gcc" in (os.environ.get("CC") or sysconfig.get_config_var("CC") or ""):
     PIECE += ["-falign-labels=16", "-falign-functions=64"]
     FLAGS += ["-Wno-stringop-overread"]  # of Cython's comparison with an empty string, which compares no byte
 OWN = {
-    "pal.pal8": ["-O1"],  # seldom used, and the longest to compile: a third less of it
     "pdp8.computer.speed.engine": PIECE,
     **{name: ["-O3"] for name in DEVICES},
 }

@@ -1,31 +1,30 @@
-"""DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, and its inverse; and PAL8.
+"""DEC's PAL III assembler of February 1967 (DEC-08-ASB1), frame for frame, its disassembler, and PAL8.
 
 isa            what the 4,096 words mean; everything else asks it
 models         what words do on the 8, 8/S, 8/I and 8/E that an 8/L does otherwise
-symbols        the permanent symbols: the one table, for both ways; symbols8, those of PAL8
-source         frames of source tapes to the items that PAL III reads
-table          the symbol table as it stands in core
-assembler      the mechanism: three passes over the same reading
-punch          the object tape
-listing        what the Teletype typed
-assembly       all of it together: `Assembly`
-work3, work8   what each dialect does for it
-messages       all that is said of a source in either dialect: one table
-diagnostics    the messages for people: place, line, caret, advice
-notes          what a student should know about a program that assembles
-watched        PAL III with an eye on what a source means otherwise than it says
-review         what is to be noted of it after its passes
-pal8           the later dialect, a front end of its own
+symbols        the permanent symbols of PAL III, for assembling and disassembling
+source         source tapes as the items that PAL III reads
+table          the symbol table as it is in core
+assembler      PAL III's mechanism: three passes over the same reading
+watched        the same, noting where a source means something else than it says
+review         the notes on a PAL III source after its passes
+pal8           PAL8, a package
 assembling     the call: `assemble`, in either dialect
 recognition    which dialect a source is in
+assembly       what became of a source: `Assembly`; assembly3   in PAL III
+punch          the object tape
+listing        what the Teletype typed
+messages       every message and note of both dialects, in one table
+diagnostics    the messages with place, line, caret and advice
+notes          what is noted of a program's words, in either dialect
 dialects       what PAL III has for what other assemblers know
-reports        cross reference, JSON, and HTML for a notebook
+reports        an assembly as JSON, and as HTML for a notebook
 disassembler   words and tapes back to source
 lexer          PAL III in colour, for Pygments; grammar   the same for editors
 meaning        what words and names mean
 server         the language server; workspace   the tapes that an editor has open; text   their lines
 document       a program as an editor asks about it; pieces   a line as an editor colours it
-fixes          what mends a diagnostic; formatting   a source in columns
+fixes          edits that correct a diagnostic; formatting   a source in columns
 """
 
 from typing import TYPE_CHECKING

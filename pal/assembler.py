@@ -184,7 +184,7 @@ class Assembler:
             name = self._go_on(item) if self._broken else item
             if not name:
                 if self._operator:
-                    self._watch("lost", self._pointer)
+                    self._see_lost()
                 self._item = 0
                 self._refers = False
             elif not self._look_up(name, mark):
@@ -211,7 +211,7 @@ class Assembler:
             elif mark == "=":
                 self._assign()
             elif mark == "*":
-                self._watch("star", self._pointer)
+                self._see_star()
                 self._wait("*")
             elif mark == "$":
                 break
@@ -219,15 +219,43 @@ class Assembler:
                 self._say("IC", f"{ord(mark) | 0o200:04o}")
                 self._broken = name
 
-    def _watch(self, what: str, pointer: int) -> None:
-        """Do nothing: `pal.watched` notes here what is not what it seems.
+    # `pal.watched` overrides what follows, to note where a source means something else than it says.
 
-        what  `before`: something stands before the memory reference at `pointer`; `reference`: one of I alone
-              or with Z; `word`: what was `doubtful` is a word or none; `pseudo`, `tag`, `equals`, `star`:
-              such an item; `moved`: an assignment in pass 2 gives another value; `number`: one that is not
-              octal or does not fit; `point`: an operator is used twice; `lost`: or not at all; `long`: more
-              than six characters
-        """
+    def _see_before(self, pointer: int) -> None:
+        """Something stands before the memory reference at `pointer`."""
+
+    def _see_reference(self) -> None:
+        """A memory reference has the operation 0400, or a Z and an address on another page."""
+
+    def _see_word(self) -> None:
+        """A statement was `doubtful`, and is now a word or none."""
+
+    def _see_pseudo(self, pointer: int) -> None:
+        """The item is the pseudo-operator at `pointer`."""
+
+    def _see_tag(self) -> None:
+        """A comma ends the item."""
+
+    def _see_equals(self, pointer: int) -> None:
+        """An equals sign ends the item, and defines the symbol at `pointer`."""
+
+    def _see_star(self) -> None:
+        """An asterisk ends the item."""
+
+    def _see_moved(self) -> None:
+        """An assignment in pass 2 gives another value than in pass 1."""
+
+    def _see_number(self, value: int) -> None:
+        """A number is too large: `value`; or it has an 8 or 9, or a letter: 0."""
+
+    def _see_point(self) -> None:
+        """An operator before a point is used twice."""
+
+    def _see_lost(self) -> None:
+        """An operator is not used."""
+
+    def _see_long(self) -> None:
+        """A name has more than six characters."""
 
     def _look_up(self, name: str, mark: str) -> bool:
         """Look an item up; return whether its mark is still to be acted upon."""
@@ -241,7 +269,7 @@ class Assembler:
                 return True
             found = symbols.index.get(name[:SIGNIFICANT])
             if found is not None:
-                self._watch("long", found)
+                self._see_long()
         if self._number == 2 and mark != ",":
             self._names.append(name)
         if found is None:
@@ -257,7 +285,7 @@ class Assembler:
     def _act(self, mark: str) -> bool:
         """Do what the pseudo-operator just read says; return whether its mark is still to be acted upon."""
         self._room_for(1)
-        self._watch("pseudo", self._pointer)
+        self._see_pseudo(self._pointer)
         self._made = False
         routine = _ROUTINES.get(self._item)
         if routine == "I":
@@ -289,7 +317,7 @@ class Assembler:
         self._room_for(1)
         if self._refers:
             if self._address:
-                self._watch("before", self._pointer)
+                self._see_before(self._pointer)
             self._word |= self._item
             self._referring = True
         elif not self._operator:
@@ -301,7 +329,7 @@ class Assembler:
         """``.``: the item is the location, after what was read; the operator stands for both."""
         if self._made:
             if self._operator:
-                self._watch("point", self._pointer)
+                self._see_point()
             self._apply()
         self._item, self._refers, self._made = self._location, False, True
         self._apply()
@@ -318,7 +346,7 @@ class Assembler:
                 self._blamed = begun
                 value = pointer + VALUE
                 if self._number == 2 and self._word != self._symbols.word(value):
-                    self._watch("moved", pointer)
+                    self._see_moved()
                 self._symbols.store(value, self._word)
                 self._blamed = None
             elif kind == "*":
@@ -345,7 +373,7 @@ class Assembler:
         self._referring = False
         page = address & PAGE
         if self._word == INDIRECT or (self._zero and page):
-            self._watch("reference", self._pointer)
+            self._see_reference()
         if not page:
             self._zero = True
         elif self._number != 1 and page != self._location & PAGE:
@@ -357,7 +385,7 @@ class Assembler:
     def _write(self) -> None:
         """Punch or list the statement, and move on by a word if it makes one."""
         if self._doubtful:
-            self._watch("word", self._pointer)
+            self._see_word()
         if self._number == 3:
             self._list(self._at)
         elif self._made and self._number == 2:
@@ -392,7 +420,7 @@ class Assembler:
 
     def _tag(self) -> None:
         """``,``: define what the pointer points to as the location."""
-        self._watch("tag", self._pointer)
+        self._see_tag()
         self._made = False
         if self._number != 1:
             return
@@ -408,7 +436,7 @@ class Assembler:
     def _assign(self) -> None:
         """``=``: what the pointer points to is defined, and waits for its value."""
         pointer = self._pointer
-        self._watch("equals", pointer)
+        self._see_equals(pointer)
         first = self._symbols.word(pointer)
         if not first & UNDEFINED:
             self._say("RD", typed(spelled(self._symbols.name(pointer))))
@@ -457,11 +485,11 @@ class Assembler:
         if name.isdigit() and (self._radix == 10 or ("8" not in name and "9" not in name)):
             value = int(name[max(len(name) - 12, 0) :], self._radix)
             if value > _MASK or len(name) > 12:
-                self._watch("number", value)
+                self._see_number(value)
             return value & _MASK
         if name[0] != _RESUMED:
             self._letters = 0
-        self._watch("number", 0)
+        self._see_number(0)
         value = 0
         for at, character in enumerate(name.lstrip(_RESUMED)):
             if character.isalpha():

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from pal.assembler import TELETYPE_SYMBOLS
 from pal.assembly import PAL3, PAL8, Assembly
+from pal.assembly3 import Assembly3
 from pal.source import Source
-from pal.work3 import Work3
 
 if TYPE_CHECKING:
-    from pal.work8 import Work8
+    from pal.pal8.assembly import Assembly8
 
 FOUND = "auto"
 DIALECTS = (FOUND, PAL3, PAL8)
@@ -47,24 +47,21 @@ def assemble(
         raise ValueError(f"{dialect!r} is not one of {', '.join(DIALECTS)}")
     called = names or [f"tape {number}" for number in range(1, len(sources) + 1)]
 
-    def pal3() -> Work3:
-        return Work3(Source(sources, modern), len(called), capacity, model)
+    def pal3() -> Assembly3:
+        return Assembly3(Source(sources, modern), called, capacity, model)
 
-    def pal8() -> "Work8":
-        from pal.work8 import Work8
+    def pal8() -> "Assembly8":
+        from pal.pal8.assembly import Assembly8
 
-        return Work8(sources, model, wipe, exact)
-
-    if dialect == PAL3:
-        work = pal3()
-        if work.ok:
-            return Assembly(PAL3, called, work)
-        from pal import recognition
-
-        return recognition.told(Assembly(PAL3, called, work), work, pal8)
-    from pal import recognition
+        return Assembly8(sources, called, model, wipe, exact)
 
     if dialect == FOUND:
-        return recognition.found(sources, called, pal3, pal8)
-    work8 = pal8()
-    return recognition.told(Assembly(PAL8, called, work8), work8, pal3)
+        from pal import recognition
+
+        return recognition.found(sources, pal3, pal8)
+    assembly = pal3() if dialect == PAL3 else pal8()
+    if assembly.ok:
+        return assembly
+    from pal import recognition
+
+    return recognition.compared(assembly, pal8() if dialect == PAL3 else pal3())

@@ -1,7 +1,7 @@
-"""The whole of an assembly: source tapes in, the object tape, its words, and all that was typed out.
+"""What became of a source: its object tape, its words, and all that was typed out.
 
-A dialect does the work (`pal.work3`, `pal.work8`): passes 1 and 2 at once, for the words; the tape, pass 3,
-and whatever is for people to read, only when it is asked for: the program that is to run starts the sooner.
+`pal.assembly3` and `pal.pal8.assembly` make it, in the two dialects: passes 1 and 2 at once, for the words;
+the tape, pass 3 and what is for people to read, only when it is asked for, so that a program starts sooner.
 """
 
 from collections.abc import Sequence
@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from pal.listing import ListingLine, Teletype
     from pal.notes import Mention, Said
     from pal.source import Place
-    from pal.work3 import Work3
-    from pal.work8 import Work8
 
 MOST = 100
 """Diagnostics that are printed, unless another number is asked for."""
@@ -31,82 +29,97 @@ class Assembly:
     words        {address: word} for loading, the field above the twelve bits of the address
     ok           whether passes 1 and 2 ended, and without an error
     stopped      why pass 1 or 2 went no further, and at which place of the source; None if both ended
-    tape         the object tape as DEC's assembler makes it, `bytes`; empty if there is none
-    symbols      {name: value} of the source's symbols; `values`, of all, the permanent ones included
-    mentions     the symbols where they stand; pseudo-operators are left out
-    lines        the listing by statements
-    teletype     the frames that were typed and punched, pass by pass; a pass that was not run has none
-    messages     DEC's messages of passes 1 and 2
-    diagnostics  what is wrong, and what to know besides, in source order
-    noted        what is to be said besides of the source as a whole
+    noted        what is to be said of the source as a whole
     """
 
-    def __init__(self, dialect: str, names: Sequence[str], work: "Work3 | Work8") -> None:
+    words: dict[int, int]
+    ok: bool
+    stopped: tuple[str, int] | None
+
+    def __init__(self, dialect: str, names: Sequence[str]) -> None:
         self.dialect = dialect
         self.names = names
-        self.words = work.words
-        self.ok = work.ok
-        self.stopped = work.stopped
         self.noted: list[Said] = []
-        self._work = work
 
-    @cached_property
+    @property
     def tape(self) -> bytes:
-        """The object tape: leader, origins and words as they come, checksum, trailer."""
-        return self._work.tape()
+        """The object tape as DEC's assembler punches it; empty if there is none."""
+        raise NotImplementedError
 
-    @cached_property
+    @property
     def symbols(self) -> dict[str, int]:
-        """The symbols of the source in the order of the symbol table."""
-        return self._work.symbols()
+        """{name: value} of the source's symbols, in the order of the symbol table."""
+        raise NotImplementedError
 
-    @cached_property
+    @property
     def values(self) -> dict[str, int]:
-        """{name: value} of all symbols after the last pass."""
-        return self._work.values()
+        """{name: value} of all symbols, the permanent ones included."""
+        raise NotImplementedError
 
-    @cached_property
+    @property
     def mentions(self) -> "list[Mention]":
-        """The symbols where they stand."""
-        return self._work.mentions()
+        """The symbols where they stand, without the pseudo-operators."""
+        raise NotImplementedError
 
-    @cached_property
+    @property
     def messages(self) -> list[str]:
-        """DEC's messages as they were typed, those of pass 1 first."""
-        return self._work.messages()
+        """DEC's messages of passes 1 and 2, as they were typed."""
+        raise NotImplementedError
 
-    @cached_property
+    @property
     def lines(self) -> "list[ListingLine]":
         """The listing by statements."""
-        return self._work.lines()
+        raise NotImplementedError
+
+    @property
+    def teletype(self) -> "Teletype":
+        """The frames that were typed and punched in each pass; a pass that was not run has none."""
+        raise NotImplementedError
 
     @cached_property
     def listing(self) -> str:
-        """What pass 3 types, with the symbol table, as text."""
-        return self._work.text(3)
-
-    @cached_property
-    def teletype(self) -> "Teletype":
-        """The frames of the three passes."""
-        return self._work.teletype()
+        """What pass 3 types, with the symbol table."""
+        return self.text(3)
 
     @cached_property
     def diagnostics(self) -> "list[Diagnostic]":
-        """What is wrong, and what to know besides."""
+        """What is wrong, and what to know besides, in the order of the source."""
         from pal.diagnostics import empty, told
 
-        if self._work.is_empty():
+        if self.is_empty():
             return [empty(self.names)]
-        return told([*self._work.said(), *self.noted], self.names, self.place)
+        return told([*self.said(), *self.noted], self.names, self.place)
+
+    def add_note(self, key: str, **values: str) -> None:
+        """Add a note on the source as a whole."""
+        from pal.notes import NOTE, note
+
+        self.noted.append((NOTE, note(key, self.first(), **values), ""))
 
     @property
     def symbol_table(self) -> str:
         """The symbol table: name, value, one a line."""
         return "".join(f"{name:6}  {value:04o}\n" for name, value in self.symbols.items())
 
+    def text(self, number: int) -> str:
+        """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
+        raise NotImplementedError
+
     def place(self, at: int) -> "Place":
         """Return where a mention or a message stands in the source."""
-        return self._work.place(at)
+        raise NotImplementedError
+
+    def first(self) -> int:
+        """Return the place of notes on the whole source."""
+        raise NotImplementedError
+
+    def is_empty(self) -> bool:
+        """Whether there is nothing in the source."""
+        raise NotImplementedError
+
+    def said(self) -> "list[Said]":
+        """Return the errors and the notes, in no order."""
+        raise NotImplementedError
 
     def __repr__(self) -> str:
         """Return what it is in one line: the source tapes, the dialect, how many words and errors."""
@@ -121,7 +134,3 @@ class Assembly:
         from pal.reports import html
 
         return html(self)
-
-    def text(self, number: int) -> str:
-        """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
-        return self._work.text(number)

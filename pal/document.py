@@ -10,11 +10,12 @@ from functools import cached_property
 from itertools import groupby, zip_longest
 from typing import NamedTuple
 
-from pal import meaning, symbols8
+from pal import meaning
 from pal.assembling import FOUND, assemble
 from pal.assembly import PAL8
 from pal.diagnostics import Diagnostic
 from pal.isa import IOT
+from pal.pal8 import symbols as symbols8
 from pal.pieces import COMMENT, NAME, NUMBER, TEXT, Piece, comment, pieces
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS, SIGNIFICANT
 from pal.text import Text

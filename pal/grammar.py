@@ -13,7 +13,7 @@ from pygments.lexer import words
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation
 
 from pal.lexer import PalLexer
-from pal.symbols8 import INSTRUCTIONS, PSEUDO_OPERATORS
+from pal.pal8.symbols import INSTRUCTIONS, PSEUDO_OPERATORS
 
 FILE = Path(__file__).parents[1] / "editors" / "vscode" / "syntaxes" / "pal.tmLanguage.json"
 

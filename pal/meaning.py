@@ -7,9 +7,9 @@
 Sources: the table of symbols; PDP-8/L Users Handbook 1968 (times).
 """
 
-from pal import symbols8
 from pal.disassembler import microinstruction
 from pal.isa import INDIRECT, JMP, OPERATIONS, OPR, autoindexed, refers_to
+from pal.pal8 import symbols as symbols8
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 
 _CYCLE = 1.6

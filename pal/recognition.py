@@ -12,65 +12,57 @@ from typing import TYPE_CHECKING
 
 from pal.assembly import PAL3, PAL8, SPELLED, Assembly
 from pal.messages import DIALECT
-from pal.notes import NOTE, note
 from pal.source import characters
 
 if TYPE_CHECKING:
-    from pal.work3 import Work3
-    from pal.work8 import Work8
+    from pal.assembly3 import Assembly3
+    from pal.pal8.assembly import Assembly8
 
 _MARKS = set('(["<&^%')
 _MARK_OR_END = re.compile(r'\r(?:[^/\r(["<&^%]*[(["<&^%]|\$)')
 """Behind the end of a line: the first of the marks in the next line's code, or a `$` that begins it."""
 
-_Work3 = Callable[[], "Work3"]
-_Work8 = Callable[[], "Work8"]
 
-
-def found(sources: Sequence[str | bytes], names: Sequence[str], pal3: _Work3, pal8: _Work8) -> Assembly:
-    """Return a source as PAL III or PAL8 makes it; `pal3` and `pal8` do their work when they are called."""
+def found(
+    sources: Sequence[str | bytes], pal3: Callable[[], "Assembly3"], pal8: Callable[[], "Assembly8"]
+) -> Assembly:
+    """Return a source as PAL III or PAL8 makes it; `pal3` and `pal8` assemble it when they are called."""
     if _is_beyond_pal3(sources):
-        work8 = pal8()
-        if work8.ok and not work8.is_empty():
-            return _as_pal8(names, work8)
-        work3 = pal3()
+        eight = pal8()
+        if eight.ok and not eight.is_empty():
+            return _as_pal8(eight)
+        three = pal3()
     else:
-        work3 = pal3()
-        if work3.ok:
-            return Assembly(PAL3, names, work3)
-        work8 = pal8()
-    said = work3.messages()
-    if work8.ok and not work8.is_empty() and any(message[:2] in ("IC", "UA") for message in said):
-        return _as_pal8(names, work8)
-    if _is_pal8s(work8) and len(work8.errors) <= len(said):
-        return _as_pal8(names, work8)
-    return _told(Assembly(PAL3, names, work3), work3, work8)
+        three = pal3()
+        if three.ok:
+            return three
+        eight = pal8()
+    said = three.messages
+    if eight.ok and not eight.is_empty() and any(message[:2] in ("IC", "UA") for message in said):
+        return _as_pal8(eight)
+    if _is_pal8s(eight) and len(eight.errors) <= len(said):
+        return _as_pal8(eight)
+    return compared(three, eight)
 
 
-def _is_pal8s(work: "Work8") -> bool:
+def _is_pal8s(assembly: "Assembly8") -> bool:
     from pal import symbols
-    from pal.symbols8 import PSEUDO_OPERATORS
+    from pal.pal8.symbols import PSEUDO_OPERATORS
 
     names = [name for name in PSEUDO_OPERATORS if name not in symbols.PSEUDO_OPERATORS]
-    return work.takes(_MARKS, {name[: symbols.SIGNIFICANT] for name in names})
+    return assembly.takes(_MARKS, {name[: symbols.SIGNIFICANT] for name in names})
 
 
-def _as_pal8(names: Sequence[str], work: "Work8") -> Assembly:
-    assembly = Assembly(PAL8, names, work)
-    assembly.noted.append((NOTE, note(DIALECT, work.first()), ""))
+def _as_pal8(assembly: Assembly) -> Assembly:
+    assembly.add_note(DIALECT)
     return assembly
 
 
-def told(assembly: Assembly, work: "Work3 | Work8", other: _Work3 | _Work8) -> Assembly:
-    """Return an assembly in the dialect that was asked for, with a note if `other` alone has no error."""
-    return assembly if assembly.ok else _told(assembly, work, other())
-
-
-def _told(assembly: Assembly, work: "Work3 | Work8", other: "Work3 | Work8") -> Assembly:
+def compared(assembly: Assembly, other: Assembly) -> Assembly:
+    """Return an assembly in error, with a note if in the `other` dialect the source has no error."""
     if other.ok and not other.is_empty():
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
-        said = note("PN36 other", work.first(), dialect=SPELLED[dialect], option=dialect)
-        assembly.noted.append((NOTE, said, ""))
+        assembly.add_note("PN36 other", dialect=SPELLED[dialect], option=dialect)
     return assembly
 
 

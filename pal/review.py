@@ -18,9 +18,9 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
+from pal.pal8.symbols import INSTRUCTIONS
 from pal.source import Source
 from pal.symbols import PERMANENT, SIGNIFICANT
-from pal.symbols8 import INSTRUCTIONS
 from pal.watched import NAMES, Watched
 
 _INSTRUCTIONS = {symbol.mnemonic: symbol.octal for symbol in PERMANENT}

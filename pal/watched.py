@@ -89,34 +89,17 @@ class Watched(Assembler):
         if code in ("DT", "RD"):
             self._twice.add(self._pointer)
 
-    def _watch(self, what: str, pointer: int) -> None:
-        if what == "before":
-            self._see_before(pointer)
-        elif what == "reference":
-            self._see_reference()
-        elif what == "word":
-            self._see_word()
-        elif what == "pseudo":
-            self._see_pseudo(list(PSEUDO_OPERATORS)[pointer // ENTRY])
-        elif what == "tag":
-            self._see_tag()
-        elif what == "equals":
-            self._see_equals(pointer)
-        elif what == "star":
-            self._see_star()
-        elif what == "moved":
-            self.moved = True
-        elif what == "long":
-            self.cuts = True
-        elif what == "lost":
-            self._see_lost()
-        elif what == "number":
-            self._see_number(pointer)
-        elif what == "point" and self._name:
+    def _see_moved(self) -> None:
+        self.moved = True
+
+    def _see_long(self) -> None:
+        self.cuts = True
+
+    def _see_point(self) -> None:
+        if self._name:
             self._note("PN18", self._at, sign="+" if self._operator == 1 else "-", name=self._name)
 
     def _see_number(self, value: int) -> None:
-        """Note a number that does not fit, or has an 8 or 9 in octal."""
         name = self._name
         if value:
             self._note("PN04", self._at, number=name, word=f"{value & 0o7777:04o}")
@@ -124,7 +107,6 @@ class Watched(Assembler):
             self._note("PN05", self._at, number=name)
 
     def _see_lost(self) -> None:
-        """Note an operator with a space after it."""
         at = self._at
         mark = self._items[at][1]
         after, point = self._items[at + 1] if mark in " \t" else ("", "")
@@ -136,7 +118,6 @@ class Watched(Assembler):
             self._note("PN15", self._at, name=self._name)
 
     def _see_reference(self) -> None:
-        """Look at a memory reference of operation 0400, or with a Z and another page."""
         items = self._items[self._source.begun(self._at) : self._at + 1]
         if self._word == INDIRECT and not any(item in REFERENCES for item, _ in items):
             self._note("PN16", self._at)
@@ -146,7 +127,6 @@ class Watched(Assembler):
             self._note("PN14", self._at, target=target, address=address)
 
     def _see_word(self) -> None:
-        """Look at a statement that was doubtful."""
         swallowed, kept = self._swallowed, self._kept
         self._swallowed = self._kept = None
         if swallowed and not self._made:
@@ -155,7 +135,8 @@ class Watched(Assembler):
         if kept is not None and self._made:
             self._note("PN10", kept)
 
-    def _see_pseudo(self, routine: str) -> None:
+    def _see_pseudo(self, pointer: int) -> None:
+        routine = list(PSEUDO_OPERATORS)[pointer // ENTRY]
         if self._number == 1 and routine == "EXPUNGE":
             self._look_at_forgotten()
         if self._number == 1 and routine == "FIXTAB":

@@ -11,8 +11,8 @@ from pal import messages
 from pal.messages import MESSAGES, worded
 
 HOUSE = Path(__file__).parents[2]
-_SAYS = ("worded", "note", "_say", "_note", "_add", "_die")
-_FILES = [path for path in sorted((HOUSE / "pal").glob("*.py")) if path.name != "assembler.py"]  # DEC's own
+_SAYS = ("worded", "note", "_note", "_add", "add_note", "say", "die")
+_FILES = sorted((HOUSE / "pal").rglob("*.py"))
 _TREES = [ast.parse(path.read_text(encoding="utf-8")) for path in _FILES]
 
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 import pal
 from pal.assembler import HIGH_SPEED_SYMBOLS
+from pal.pal8.symbols import PSEUDO_OPERATORS
 from pal.reports import as_json
-from pal.symbols8 import PSEUDO_OPERATORS
 from tapes import binary
 
 CHARACTERS = "AB19 \t+-,=*;$./!a\f\n\r"

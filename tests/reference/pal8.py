@@ -1,7 +1,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call, has-type, var-annotated, assignment"
-"""DEC's PAL8 as its own rules tell it: the judge of pal/pal8.py.
+"""DEC's PAL8 as its own rules tell it: the judge of pal/pal8.
 
-Written from the rules of PAL8 V10D and from DEC's source of the assembler, before pal/pal8.py was read; it
+Written from the rules of PAL8 V10D and from DEC's source of the assembler, before pal/pal8 was read; it
 imports nothing of ours. It follows the mechanism register by register where faults leave something behind
 (the stale value, the last operator): that makes the same tape from a faulty source. It has no allowances.
 

@@ -27,8 +27,9 @@ _CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.
 MODULES = {
     "tapes": "binary code codes errors expression frames hydrapoint measure quantities rim utf16 "
     + " ".join(_CODES),
-    "pal": "assembler assembling assembly diagnostics dialects disassembler isa listing meaning"
-    " messages models notes pal8 punch recognition review source symbols symbols8 table watched work3 work8",
+    "pal": "assembler assembling assembly assembly3 diagnostics dialects disassembler isa listing meaning"
+    " messages models notes punch recognition review source symbols table watched",
+    "pal.pal8": "assembler assembly expressions lexer literals log operators output symbols table",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "*",
     "pdp8.computer.speed": "engine piece waiting",

@@ -1,4 +1,4 @@
-"""PAL8 at work for an `Assembly`: its passes, their messages, its listing, and what is said of them.
+"""What became of a source in PAL8.
 
 The listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
 """
@@ -7,8 +7,9 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from pal import pal8, punch, symbols8
+from pal import punch
 from pal.assembler import Written
+from pal.assembly import PAL8, Assembly
 from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
 from pal.notes import (
     ERROR,
@@ -23,54 +24,51 @@ from pal.notes import (
     of_undefined,
     of_words,
 )
+from pal.pal8 import symbols
+from pal.pal8.assembler import Assembler
+from pal.pal8.lexer import LINE
 from pal.source import Place, lines_of, plain
 from pal.symbols import SIGNIFICANT
 
 _TOKEN = re.compile(r'[A-Z][A-Z0-9]*|".|/.*|[^\t ]')
-_PSEUDO = {name[:SIGNIFICANT] for name in symbols8.PSEUDO_OPERATORS}
+_PSEUDO = {name[:SIGNIFICANT] for name in symbols.PSEUDO_OPERATORS}
 _FIELDS = ("CDF", "CIF", "CDI")
-_INSTRUCTIONS = {**symbols8.REFERENCES, **symbols8.MARKS, **symbols8.INSTRUCTIONS, **symbols8.PALBARTS}
+_INSTRUCTIONS = {**symbols.REFERENCES, **symbols.MARKS, **symbols.INSTRUCTIONS, **symbols.PALBARTS}
 
 
-class Work8:
-    """What PAL8 does with a source; the members are those that `Assembly` asks for.
-
-    wipe    /W: literals that were put out are forgotten
-    exact   as DEC's own, without what is allowed besides
-    """
+class Assembly8(Assembly):
+    """What became of a source in PAL8: `wipe` is /W, `exact` DEC's own reading."""
 
     def __init__(
-        self,
-        sources: Sequence[str | bytes],
-        model: str | None = None,
-        wipe: bool = False,
-        exact: bool = False,
+        self, sources: Sequence[str | bytes], names: Sequence[str], model: str | None, wipe: bool, exact: bool
     ) -> None:
+        super().__init__(PAL8, names)
         self._model = model
         self._lines = lines_of(sources)
-        self._run = run = pal8.Assembler(self._lines, wipe, exact)
+        self._run = run = Assembler(self._lines, wipe, exact)
         run.run()
+        self._log = run.log
         self.errors = self._errors()
         self.stopped: tuple[str, int] | None = None
         if run.fatal:
-            last = run.complaints[len(run.complaints) - 1]
+            last = run.log.complaints[len(run.log.complaints) - 1]
             self.stopped = (last.about, last.at)
-        self.words = {} if run.fatal else punch.words(run.output)
+        self.words = {} if run.fatal else punch.words(run.punch.tape)
         self.ok = not self.errors
 
     def _errors(self) -> list[Note]:
         """Return the messages of pass 2, only the first IC of a statement, and those that only pass 1 has."""
-        places = self._run.places
-        again = {f"{said.code} {places[said.at][0]}" for said in self._run.complaints if said.number == 2}
+        places = self._log.places
+        again = {f"{said.code} {places[said.at][0]}" for said in self._log.complaints if said.number == 2}
         return [
             Note(said.code, said.at, f"{said.code}  {said.about}", said.advice)
-            for said in self._run.complaints
+            for said in self._log.complaints
             if said.about and (said.number == 2 or f"{said.code} {places[said.at][0]}" not in again)
         ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:
         """Tell whether a line without an error has one of these marks or names."""
-        wrong = {self._run.places[problem.at][0] for problem in self.errors}
+        wrong = {self._log.places[problem.at][0] for problem in self.errors}
         for index in range(min(self._run.ended, len(self._lines))):
             if index not in wrong:
                 for token in _TOKEN.findall(plain(self._lines[index].text).upper()):
@@ -78,44 +76,42 @@ class Work8:
                         return True
         return False
 
+    @cached_property
     def tape(self) -> bytes:
-        """Return the object tape; empty after a fatal error."""
-        return b"" if self._run.fatal else punch.tape(self._run.output)
+        return b"" if self._run.fatal else punch.tape(self._run.punch.tape)
 
+    @cached_property
     def symbols(self) -> dict[str, int]:
-        """Return the symbols of the source in the order of their names."""
-        known = self._run.symbols
+        known = self._run.table.known
         return {name: known[name].value for name in sorted(known) if known[name].passed}
 
+    @cached_property
     def values(self) -> dict[str, int]:
-        """Return the values of all symbols."""
-        known = self._run.symbols
+        known = self._run.table.known
         return {name: symbol.value for name, symbol in known.items() if name not in _PSEUDO}
 
+    @cached_property
     def mentions(self) -> list[Mention]:
-        """Return the symbols where they stand."""
-        return self._run.mentions
+        return self._log.mentions
 
     def first(self) -> int:
-        """Return the place of notes on the whole source."""
-        return self._run.place_of_line(0)
+        return self._log.line(0)
 
+    @cached_property
     def messages(self) -> list[str]:
-        """Return the messages of passes 1 and 2 as they were typed."""
-        return [f"{said.code}  {said.location}" for said in self._run.complaints]
+        return [f"{said.code}  {said.location}" for said in self._log.complaints]
 
     def place(self, at: int) -> Place:
-        """Return a place of the source."""
-        index, start, end = self._run.places[at]
+        index, start, end = self._log.places[at]
         line = self._lines[index]
         return Place(line.tape, line.number, line.text, start, end)
 
     def _rows(self) -> Iterator[tuple[Written | None, int, str]]:
         """Yield word, line and text of the listing: a line stands at its first word, literals at the end."""
         lines = self._lines
-        places = self._run.places
+        places = self._log.places
         shown = 0  # lines so far
-        for written in self._run.written:
+        for written in self._run.punch.written:
             index = places[written.at][0]
             if written.literal:
                 continue
@@ -125,12 +121,12 @@ class Work8:
             shown = index + 1
         for number in range(shown, min(self._run.ended + 1, len(lines))):
             yield None, number, lines[number].text
-        for written in self._run.written:
+        for written in self._run.punch.written:
             if written.literal:
                 yield written, places[written.at][0], ""
 
+    @cached_property
     def lines(self) -> list[ListingLine]:
-        """Return the listing by statements; literals stand after the program, where they are put out."""
         rows = []
         for written, index, text in self._rows():
             line = self._lines[index]
@@ -139,9 +135,8 @@ class Work8:
         return rows
 
     def text(self, number: int) -> str:
-        """Return the messages of pass 1 or 2 as they were typed, or the listing with the symbol table."""
         if number < 3:
-            said = [said for said in self._run.complaints if said.number == number]
+            said = [said for said in self._log.complaints if said.number == number]
             return "".join(f"{one.code}  {one.location}\n" for one in said)
         listed = []
         for written, _, text in self._rows():
@@ -149,30 +144,28 @@ class Work8:
             if written is not None:
                 word = f"{octal(written.address)}  {octal(written.word)}{'@ ' if written.link else '  '}"
             listed.append((word + text).rstrip())
-        table = [f"{name:6}  {value:04o}" for name, value in self.symbols().items()]
+        table = [f"{name:6}  {value:04o}" for name, value in self.symbols.items()]
         return "\n".join([*listed, "", *table, ""])
 
+    @cached_property
     def teletype(self) -> Teletype:
-        """Return the frames of what is typed in the three passes; the tape is not among them."""
         return Teletype(*(typed_frames(self.text(number)) for number in (1, 2, 3)))
 
     def is_empty(self) -> bool:
-        """Tell whether there is nothing in the source, which a ^Z ends."""
         return not any(line.text for line in self._lines)
 
     def said(self) -> list[Said]:
-        """Return the errors, and our notes."""
         return [*((ERROR, error, "") for error in self.errors), *((NOTE, each, "") for each in self._notes())]
 
     def _notes(self) -> list[Note]:
         run = self._run
         full = any(problem.code in ("PE", "ZE") for problem in self.errors)
-        notes = [*run.notes, *of_words(run.written, _INSTRUCTIONS)]
+        notes = [*run.log.notes, *of_words(run.punch.written, _INSTRUCTIONS)]
         if not full:
-            punched = [piece for piece in run.output if isinstance(piece, Written)]
+            punched = [piece for piece in run.punch.tape if isinstance(piece, Written)]
             notes += [each for each in of_overlays(punched) if not self._is_meant(each.at)]
         if self._model:
-            named = (each for each in run.written if any(name in _INSTRUCTIONS for name in each.names))
+            named = (each for each in run.punch.written if any(name in _INSTRUCTIONS for name in each.names))
             notes += of_model(named, self._model)
         return notes + self._on_names() + self._of_fields() + self._of_lines() + self._of_the_end()
 
@@ -180,21 +173,21 @@ class Work8:
         """Tell whether the last origin before a place has a symbol or a point, as an overlay has."""
         from bisect import bisect_left
 
-        before = bisect_left(self._origins, self._run.places[at][0] + 1)
-        return before > 0 and not self._run.origins[before - 1][1]
+        before = bisect_left(self._origins, self._log.places[at][0] + 1)
+        return before > 0 and not self._run.operators.origins[before - 1][1]
 
     @cached_property
     def _origins(self) -> list[int]:
-        return [index for index, _ in self._run.origins]
+        return [index for index, _ in self._run.operators.origins]
 
     def _on_names(self) -> list[Note]:
         """Note what was meant by undefined names, names cut short, and instructions that an 8/L lacks."""
-        known = self._run.symbols
-        later = {name for name in symbols8.NOT_ON_THE_8L if name in known and not known[name].passed}
+        known = self._run.table.known
+        later = {name for name in symbols.NOT_ON_THE_8L if name in known and not known[name].passed}
         asked = {name for name in known if len(name) == SIGNIFICANT or name in later}
         notes = []
         longer = []
-        for mention in [mention for mention in self._run.mentions if mention.name in asked]:
+        for mention in [mention for mention in self._log.mentions if mention.name in asked]:
             name = mention.name
             if len(name) == SIGNIFICANT:
                 longer.append((self._in_full(mention.at), mention.at))
@@ -208,10 +201,10 @@ class Work8:
         places = []
         for error in self.errors:
             name = self._named(error)
-            if name and name not in told and name not in symbols8.ELSEWHERE:
+            if name and name not in told and name not in symbols.ELSEWHERE:
                 told.add(name)
                 places.append((name, error.at, self._statement(error.at)))
-        return of_undefined(places, [*self.symbols(), *_INSTRUCTIONS])
+        return of_undefined(places, [*self.symbols, *_INSTRUCTIONS])
 
     def _named(self, error: Note) -> str:
         """Return the name that is undefined, as far as it counts; "" of another error."""
@@ -219,7 +212,7 @@ class Work8:
 
     def _of_fields(self) -> list[Note]:
         """Note the first change to a field beyond 0: without the MC8/L it does nothing."""
-        for written in self._run.written:
+        for written in self._run.punch.written:
             word = written.word
             if word & 0o7704 == 0o6200 and word & 0o70 and any(name in _FIELDS for name in written.names):
                 return [note("PN37 field", written.at, octal=octal(word), field=str(word >> 3 & 7))]
@@ -238,19 +231,19 @@ class Work8:
                 and any("a" <= each <= "z" for each in _TOKEN.findall(text))
             ):
                 small = True
-                notes.append(note("PN35 PAL8", self._run.place_of_line(index)))
-            if len(code) > pal8.LINE and code[pal8.LINE :].strip():
-                at = self._run.place_of_line(index)
-                notes.append(note("PN55", at, length=str(len(text)), most=str(pal8.LINE)))
+                notes.append(note("PN35 PAL8", self._log.line(index)))
+            if len(code) > LINE and code[LINE:].strip():
+                at = self._log.line(index)
+                notes.append(note("PN55", at, length=str(len(text)), most=str(LINE)))
         return notes
 
     def _statement(self, at: int) -> int:
         """Return a number for the statement at a place: its line and the semicolons before it."""
-        index, start, _ = self._run.places[at]
+        index, start, _ = self._log.places[at]
         return index << 10 | self._lines[index].text.count(";", 0, start)
 
     def _in_full(self, at: int) -> str:
-        index, start, end = self._run.places[at]
+        index, start, end = self._log.places[at]
         return self._lines[index].text[start:end].upper()
 
     def _of_the_end(self) -> list[Note]:
@@ -258,14 +251,14 @@ class Work8:
         lines = self._lines
         if run.fatal:
             return []
-        if run.output and isinstance(run.output[0], Written):
-            at = run.place_of_line(min(run.ended, len(lines) - 1))
+        if run.punch.tape and isinstance(run.punch.tape[0], Written):
+            at = run.log.line(min(run.ended, len(lines) - 1))
             return [note("PN56 RELOC", at)]
         if run.ended == len(lines):
-            at = run.place_of_line(len(lines) - 1)
+            at = run.log.line(len(lines) - 1)
             return [note("PN27 PAL8", at)]
         for index in range(run.ended + 1, len(lines)):
             if lines[index].text.strip(" \t"):
-                at = run.place_of_line(index)
+                at = run.log.line(index)
                 return [note("PN03", at)]
         return []

@@ -1,10 +1,12 @@
-"""PAL III at work for an `Assembly`: its passes, what they typed, and what is said of them."""
+"""What became of a source in PAL III."""
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pal import punch
 from pal.assembler import Message, Output
+from pal.assembly import PAL3, Assembly
 from pal.source import Place, Source
 from pal.symbols import PSEUDO_OPERATORS, SIGNIFICANT, typed
 from pal.watched import Watched
@@ -16,12 +18,12 @@ if TYPE_CHECKING:
 _PSEUDO = {name[:SIGNIFICANT] for name in PSEUDO_OPERATORS}
 
 
-class Work3:
-    """What PAL III does with a source; the members are those that `Assembly` asks for."""
+class Assembly3(Assembly):
+    """What became of a source in PAL III."""
 
-    def __init__(self, source: Source, tapes: int, capacity: int, model: str | None) -> None:
+    def __init__(self, source: Source, names: Sequence[str], capacity: int, model: str | None) -> None:
+        super().__init__(PAL3, names)
         self._source = source
-        self._tapes = tapes
         self._model = model
         self._assembler = assembler = Watched(source, capacity)
         self._first = assembler.run(1)
@@ -31,20 +33,20 @@ class Work3:
         self.words = {} if self.stopped else punch.words(self._second)
         self.ok = not self._complaints and not self.stopped
 
+    @cached_property
     def tape(self) -> bytes:
-        """Return the object tape as the high-speed punch made it; empty where pass 1 or 2 did not end."""
         return b"" if self.stopped else punch.START_UP + punch.tape(self._second)
 
+    @cached_property
     def symbols(self) -> dict[str, int]:
-        """Return the symbols of the source as pass 3 leaves them, in the order of its table."""
         return {entry.name: entry.value for entry in self._third.table if entry.defined}
 
+    @cached_property
     def values(self) -> dict[str, int]:
-        """Return the values of all symbols as pass 3 leaves them."""
         return self._third.values()
 
+    @cached_property
     def mentions(self) -> list["Mention"]:
-        """Return the symbols where they stand."""
         from pal.notes import Mention
 
         found = []
@@ -57,43 +59,38 @@ class Work3:
         return found
 
     def place(self, at: int) -> Place:
-        """Return where an item of the source stands."""
         return self._source.place(at)
 
     def first(self) -> int:
-        """Return the place of notes on the whole source."""
         return 0
 
+    @cached_property
     def messages(self) -> list[str]:
-        """Return the messages of passes 1 and 2, UA included."""
         return [str(message) for message in self._complaints]
 
+    @cached_property
     def lines(self) -> list["ListingLine"]:
-        """Return the listing by statements."""
         from pal import listing
 
         return list(listing.lines(self._source, self._third.output, self._third.lost))
 
     def text(self, number: int) -> str:
-        """Return what pass 1, 2 or 3 typed, without the codes that do not print."""
         from pal import listing
 
         if number == 2:
             return listing.text_of(listing.complaints(self._second))
         return listing.text_of(self._typed(number))
 
+    @cached_property
     def teletype(self) -> "Teletype":
-        """Return the frames of the three passes when the ASR-33 does it all."""
         from pal.listing import Teletype
 
         return Teletype(*(self._typed(number) for number in (1, 2, 3)))
 
     def is_empty(self) -> bool:
-        """Tell whether there is nothing in the source."""
         return len(self._source.text) == 1
 
     def said(self) -> list["Said"]:
-        """Return the messages, why PAL III went no further, and our notes."""
         from pal import review
         from pal.diagnostics import of_pal3
 
@@ -101,7 +98,7 @@ class Work3:
         stopped = self.stopped
         if not stopped:
             noted += review.notes(
-                self._source, self._tapes, self._assembler, self._complaints, self._second, self._table
+                self._source, len(self.names), self._assembler, self._complaints, self._second, self._table
             )
         if self._assembler.moved or self._model:
             stopped = stopped or self._third.stopped
