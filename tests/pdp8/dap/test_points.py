@@ -10,7 +10,7 @@ import pytest
 
 from tests.pdp8.dap.test_dap import Seen, console, launched, play
 
-COUNTS = "*200\nL,\tISZ N\n\tISZ M\n\tJMP L\n\tHLT\nN,\t7770\nM,\t7760\n$\n"
+COUNTS = "*200\nL,\tISZ N\n\tISZ M\n\tJMP L\n\tHLT\nN,\t7770\nM,\t7760\nCOUNTER=M\n$\n"
 """N and M count up; N reaches 0 in the eighth turn, and JMP L (line 4) is passed over then."""
 SOURCE = {"path": "counts.pal"}
 
@@ -39,6 +39,7 @@ def stops(folder: Path, *points: dict[str, Any]) -> Seen:
         ({"condition": "core[N+1] > 7764 && !(PC == 0)"}, "7765"),
         ({"condition": "N - M == 11 || L == 7"}, "7760"),
         ({"condition": "N & 7 == 3 | 0"}, "7762"),
+        ({"condition": "COUNTER == 7763"}, "7763"),
         ({"hitCondition": "3"}, "7762"),
         ({"hitCondition": ">= 2"}, "7761"),
         ({"hitCondition": "% 4"}, "7763"),
@@ -91,16 +92,18 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
         ["setExpression", {"expression": "AC", "value": "77777"}],
         ["completions", {"text": "exa", "column": 4}],
         ["completions", {"text": "examine L", "column": 10}],
+        ["completions", {"text": "examine L", "column": 9}],
         ["gotoTargets", {"source": {"path": (folder / "counts.pal").as_uri()}, "line": 4}],
         ["goto", {"threadId": 1, "targetId": 0o203}, "stopped"],
         console("PC"),
     )
-    value, word, refused, commands, names, targets, moved, pc = seen.answers[3:]
+    value, word, refused, commands, names, before, targets, moved, pc = seen.answers[3:]
     assert value["body"]["result"] == "0001"
     assert "0017" in word["body"]["value"]
     assert "77777" in refused["error"]
     assert commands["body"]["targets"] == [{"label": "examine"}]
     assert {each["label"] for each in names["body"]["targets"]} == {"LINK", "L"}
+    assert {"AC", "N"} < {each["label"] for each in before["body"]["targets"]}, "all: nothing is typed yet"
     assert targets["body"]["targets"] == [{"id": 0o202, "label": "0202", "line": 4}]
     assert moved["event"]["reason"] == "goto"
     assert pc["body"]["result"] == "0203"

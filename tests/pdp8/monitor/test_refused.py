@@ -71,6 +71,22 @@ REFUSED = {
 }
 """For each command what is refused."""
 
+NEAREST = {
+    "examine": ("7777", "0-7777"),
+    "deposit": ("7777 1", "7776 1 2", "0 7777", "200-200 1"),
+    "set": ("ac 7777", "ir 7", "mem_prot 1", "hands 0"),
+    "go": ("200 0",),
+    "cont": ("0",),
+    "assert": ("ac 0",),
+    "wait": ("0",),
+    "step": ("1", "7"),
+    "cycle": ("1", "7"),
+    "back": ("1 cycles",),
+    "break": ("0", "7777"),
+    "watch": ("0", "7777"),
+}
+"""The values beside those refused that are accepted."""
+
 WORKS = {
     "punch": ("out", "on", "off"),
     "fast-punch": ("fast", "on"),
@@ -133,6 +149,11 @@ def session(monitor: Monitor) -> tuple[object, ...]:
         monitor.history.instructions,
         {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()},
     )
+
+
+@pytest.mark.parametrize("line", [f"{name} {words}" for name, each in NEAREST.items() for words in each])
+def test_the_nearest_value_is_accepted(room: Monitor, line: str) -> None:
+    do(room, line)
 
 
 def test_every_command_has_its_refusals() -> None:

@@ -44,6 +44,16 @@ def test_a_run_ends_at_its_goal(
     assert not printing.watch.breakpoints | printing.watch.writes
 
 
+def test_the_flag_that_rises_is_named(printing: Machine) -> None:
+    reading = machine("6031 5200")  # KSF, JMP 200
+    reading.teletype.keyboard.press(b"A")
+    for running, named in ((printing, "printer"), (reading, "keyboard")):
+        goal = goals.until(running, "flag", 0)
+        while goal.run(running, 2_000_000) == Reason.LIMIT:
+            assert running.elapsed < 3
+        assert named in str(goal.said)
+
+
 def test_no_breakpoint_is_stepped_over() -> None:
     """Whatever the length of a slice: a loop's own, a JMS's, and beside another goal."""
     for kind, ticks in [(kind, ticks) for kind in ("", "word", "frame") for ticks in range(1, 200)]:
