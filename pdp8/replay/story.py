@@ -1,7 +1,7 @@
 """The story of an afternoon for somebody who has never seen one: a name and a sentence for each act.
 
-The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement; the first
-sentence says so.
+The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement: the first
+sentence says so. The last sets what the thesis measured beside ours, and says why ours is larger.
 """
 
 from typing import Final, NamedTuple
@@ -18,22 +18,28 @@ _MADE: Final = {
     "drill": "four holes",
     "fluidic": "a fluidic element",
 }
+_MEASURED: Final = {"circle": ".009"}
+"""The largest trough to peak that the thesis measured, inches."""
+
 _WORDS: Final = {2: "two", 17: "seventeen"}
 """Numbers of the story that are words; others are figures."""
 
 
 class Chapter(NamedTuple):
-    """The name of a part of the story, and what is told."""
+    """The name of a part of the story, and its sentences."""
 
     name: str
     words: str
 
 
 def story(afternoon: Afternoon) -> list[Chapter]:
-    """Return what comes before, and a chapter for each act."""
+    """Return the opening, and a chapter for each act."""
     made = _MADE.get(afternoon.part, "a part")
+    opening = (
+        f"1971. A column of numbers becomes {made} in metal. That it was one afternoon is our arrangement."
+    )
     return [
-        Chapter("", f"1971. A column of numbers becomes {made} in metal, here in one afternoon."),
+        Chapter("", opening),
         Chapter("Print", _print(afternoon, made)),
         Chapter("Toggle", _toggle(afternoon)),
         Chapter("Boot", "Those words read in a better loader, one row of holes at a time."),
@@ -71,6 +77,9 @@ def _measure(afternoon: Afternoon) -> str:
         minutes = path.times.total / 60
         return f"{len(path.holes)} holes in {minutes:.1f} minutes at the mill. No wall was measured."
     worst = afternoon.inspection.worst
+    if afternoon.part in _MEASURED:
+        off = f"At worst {inches(worst.trough_to_peak)} inch, trough to peak, {worst.wall} wall"
+        return f"{off}, where the contour is left open. The thesis measured {_MEASURED[afternoon.part]}."
     seen = "Up close the curve is a staircase" if afternoon.inspection.stepwise else "The wall is measured"
     return (
         f"{seen}: at worst {inches(worst.trough_to_peak)} inch from trough to peak, on the {worst.wall} wall."

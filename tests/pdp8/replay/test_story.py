@@ -12,17 +12,22 @@ from pdp8.replay.story import story
 def test_the_circles(circle: Afternoon) -> None:
     """666 lines and 660 cuts (Chapter 7), the 17 words of DEC's card; the wall as `nc inspect` prints it."""
     told = {name: words for name, words in story(circle)}
+    assert "our arrangement" in told[""]
     assert "666 lines" in told["Print"]
     assert "Seventeen words" in told["Toggle"]
     assert "660 times" in told["Cut"]
     assert "two seconds" in told["Cut"]
     assert ".0173 inch" in told["Measure"]
-    assert "outer wall" in told["Measure"]
+    assert "outer wall, where the contour is left open. The thesis measured .009." in told["Measure"]
+    cuts, worst = circle.path.cuts, circle.inspection and circle.inspection.worst
+    assert cuts[0].start.y - cuts[-1].end.y == 156
+    assert worst
+    assert worst.place == "-X apex"  # where it starts and does not end
 
 
 @pytest.mark.parametrize("part", REPLAYED)
 def test_every_part_has_its_own(part: str) -> None:
-    """Seven acts and what is told before them, in 110 characters each; only the circle's says circle."""
+    """Seven acts and an opening, in 110 characters each; only the circle's says circle."""
     afternoon = replay(part)
     told = story(afternoon)
     assert len(told) == 1 + len(afternoon.acts)
