@@ -1,14 +1,19 @@
 """`pdp8 thesis`: the thesis's programs line by line, and its figures, tables and listings reproduced."""
 
 import os
+import re
 import sys
+from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import click
 
+from pdp8 import shelf
 from pdp8.cli.shared import command
-from pdp8.cli.shared.arguments import Command, Folder, Group, Target, output
+from pdp8.cli.shared.arguments import Command, Folder, Group, Source, Target, output
 from pdp8.cli.shared.rules import option
+from tapes.errors import TapeError
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -37,6 +42,7 @@ def thesis() -> None:
       pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
       pdp8 thesis numbers --chapter 7
+      pdp8 thesis collate --letter
       pdp8 thesis page -o curve.html
     """
 
@@ -172,6 +178,59 @@ def evidence(file: str, tei: bool, output: str) -> None:
         return
     rows = tuple((row.page, row.kind, row.scan, row.ours, row.reason) for row in known.table(file))
     _show(Table(_EVIDENCE, rows), file, coloured_by=1, output=output)
+
+
+@thesis.command()
+@click.argument("answers", type=Source(), metavar="[ANSWERS]", required=False)
+@option("--letter", is_flag=True, excludes="--pages", help="Write a letter to a library that has the thesis.")
+@option(
+    "--pages",
+    type=click.Path(exists=True, file_okay=False),
+    metavar="FOLDER",
+    help="Pictures of pages, 106.png or page-106.png: say where on them the lines are.",
+)
+@output(Target("text"))
+def collate(answers: str | None, letter: bool, pages: str | None, output: str) -> None:
+    """List what a rescan of the thesis would settle: place, our reading, rivals, what each would change.
+
+    ANSWERS is a file with a line for each place that somebody has looked up, NAME | WHAT THE PAGE HAS | WHO
+    LOOKED, WHERE, WHEN; the list then says which readings are settled and what the others change. The same
+    lines in pdp8/thesis/scan/answers.txt, and `make evidence`, take them into the sources and tables.
+
+    \b
+    Examples:
+      pdp8 thesis collate
+      pdp8 thesis collate --letter > letter.txt
+      pdp8 thesis collate --pages scans
+      pdp8 thesis collate answers.txt
+    """
+    from pdp8.thesis import collate as known
+
+    if letter:
+        command.put(output, known.letter())
+        return
+    given = known.answers(shelf.read(answers).decode("utf-8", "replace") if answers else "")
+    places = _places(pages) if pages else {}
+    _show(known.table(given, places), "What a rescan would settle", coloured_by=4, output=output)
+
+
+def _places(folder: str) -> dict[str, str]:
+    """Return where the lines of conjectures are on the pictures in a folder, in words, by name."""
+    if find_spec("cv2") is None:
+        from pdp8.cli.shared.extras import hint
+
+        raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
+    from pdp8.thesis import collate as known
+    from pdp8.thesis import pages
+
+    places = {}
+    for file in sorted(Path(folder).glob("*.png")):
+        number = re.search(r"(\d+)\.png$", file.name)
+        for each in known.conjectures().values():
+            if number and each.page == str(int(number[1])):
+                place = pages.find(each, file.read_bytes())
+                places[each.name] = f"; {file.name}: {place or 'the whole page'}"
+    return places
 
 
 def _show(table: "Table", title: str, coloured_by: int, output: str = "-") -> None:

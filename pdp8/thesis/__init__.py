@@ -8,6 +8,7 @@ numbers      every number of the chapters: its page, its words, ours, what makes
 measures     what we make of each                      (measured.json: those that take long, kept)
 inputs       what that is made from, and what may be said of it
 
+collate      what a rescan would settle, a letter that asks for it, answers (pages: a line on a picture)
 evidence     the surviving programs line by line: scan, ours, why; scan/ has the tables
 supplied     which characters the scan does not show, and how each output marks them
 tei          the same, for editors

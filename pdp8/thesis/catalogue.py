@@ -26,6 +26,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Final, NamedTuple
 
+from pdp8.thesis.collate import settled
 from tapes.errors import WorkError
 
 STATES: Final = ("from the text", "our drawing", "fitted or conjectured", "lost")
@@ -82,6 +83,8 @@ def catalogue() -> tuple[Item, ...]:
 def _item(entry: dict[str, Any]) -> Item:
     """Return an entry with its texts unwrapped."""
     unwrapped = {field: " ".join(text.split()) for field, text in entry.items() if isinstance(text, str)}
+    if settled(entry["number"]):
+        unwrapped["state"] = "our drawing"
     return Item(**entry | unwrapped)
 
 

@@ -4,6 +4,7 @@
     <!-- numbers 7 -->    its numbers, each with a link to what makes it
     <!-- variants 106 -->    which other words would do the work of that page's, and why ours are preferred
     <!-- evidence eia.pal 105 106 107 -->     the rows of these pages; and of these classes, if any are named
+    <!-- rescan all -->   the conjectures, and what another reading would change
     <!-- end -->          what stands between is replaced
 
 `make evidence` runs this as a program, in the project's folder.
@@ -15,16 +16,19 @@ from collections.abc import Callable, Iterator
 from importlib.resources import files
 from pathlib import Path
 
-from pdp8.thesis import measures, numbers
+from pdp8.thesis import collate, measures, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 
-_SECTION = re.compile(r"(<!-- (items|numbers|evidence|variants) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(
+    r"(<!-- (items|numbers|evidence|variants|rescan) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL
+)
 _HEADINGS = {
     "items": "| what | page | state | here |\n|---|--:|---|---|\n",
     "numbers": "| page | the thesis | number | ours | state | made from | made by |\n"
     "|--:|---|--:|--:|---|---|---|\n",
     "variants": "| ours | others | of these with a name of the program | why ours |\n|---|--:|---|---|\n",
+    "rescan": "| page | place | ours | others, and what each would change |\n|--:|---|---|---|\n",
     "evidence": "| page | the scan | ours | evidence | reason |\n|--:|---|---|---|---|\n",
 }
 _Maker = Callable[..., Iterator[tuple[str, ...]]]
@@ -37,7 +41,8 @@ def page(text: str) -> str:
 
 def _table(what: str, wanted: list[str]) -> str:
     makers: dict[str, _Maker] = {
-        "items": _items, "numbers": _numbers, "evidence": _evidence, "variants": _variants
+        "items": _items, "numbers": _numbers, "evidence": _evidence, "variants": _variants,
+        "rescan": _rescan,
     }  # fmt: skip
     rows = makers[what](*wanted)
     return _HEADINGS[what] + "".join(f"| {' | '.join(row)} |\n" for row in rows)
@@ -84,6 +89,11 @@ def _variants(page_: str) -> Iterator[tuple[str, ...]]:
             count, names = others[row.ours[:4]]
             named = ", ".join(f"`{name}`" for name in names.split(", ") if name)
             yield f"`{row.ours}`", count, named, row.reason
+
+
+def _rescan(_: str) -> Iterator[tuple[str, ...]]:
+    for _name, page_, place, ours, _state, rivals in collate.table({}, {}).rows:
+        yield page_, place, ours, rivals
 
 
 def main() -> None:

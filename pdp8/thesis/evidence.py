@@ -16,6 +16,7 @@ A blank line is one in the artefact, # opens a comment.
     damaged      shows it, with characters misread              /D               DAMAGED
     implied      (or the chapter) leaves no choice              /W or /R         RESTORED
     conjecture   does not settle it                             /C               CONJECTURE
+    read         the same, settled by a look at the page (`collate`)
     ours         has no such line: a comment of ours
     none         has a line that does not belong to the listing: a heading, a page number, dirt
 
@@ -29,12 +30,13 @@ from importlib.resources import files
 from typing import NamedTuple
 
 import pal
+from pdp8.thesis.collate import as_read
 from pdp8.thesis.reading import fortran_line, pal_line
 from tapes.errors import WorkError
 
 ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
 TABLES = ("ch2-block", "2.3", "ch4-memory-reference", "ch4-microinstructions", "ch4-input-output")
-CLASSES = ("legible", "damaged", "implied", "conjecture", "ours", "none")
+CLASSES = ("legible", "damaged", "implied", "conjecture", "read", "ours", "none")
 
 _AS_READ = "="
 _PAL_MARKS = {"damaged": "/D", "conjecture": "/C"}
@@ -73,7 +75,7 @@ def _row(line: str, artefact: str) -> Row:
     if not line:
         return BLANK
     row = Row(*(cell.strip() for cell in line.split("|")))
-    return row._replace(ours=read(row.scan, artefact)) if row.ours == _AS_READ else row
+    return row._replace(ours=read(row.scan, artefact)) if row.ours == _AS_READ else as_read(row, artefact)
 
 
 def read(scan: str, artefact: str) -> str:

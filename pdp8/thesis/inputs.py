@@ -11,6 +11,8 @@ kind in inputs.txt, and `state` follows from them:
 from importlib.resources import files
 from typing import Final, NamedTuple
 
+from pdp8.thesis.collate import settled
+
 FROM_TEXT, COMPUTED, FITTED = "from the text", "computed", "fitted or conjectured"
 DIFFERS, NOT_MADE = "differs", "not made here"
 
@@ -27,7 +29,7 @@ ITSELF: Final = "itself"
 
 _TABLE: Final = (files("pdp8.thesis") / "inputs.txt").read_text(encoding="utf-8").splitlines()
 INPUTS: Final = {
-    name.strip(): Input(kind.strip(), why.strip())
+    name.strip(): Input("thesis" if settled(name.strip()) else kind.strip(), why.strip())
     for name, kind, why in (line.split("|") for line in _TABLE if not line.startswith("#"))
 }
 

@@ -34,7 +34,7 @@ def marked(artefact: str) -> Iterator[tuple[Row, list[bool]]]:
 
 def _supplied(row: Row, scan: str, artefact: str) -> list[bool]:
     ours = "".join(row.ours.split())
-    if row.kind == "legible":
+    if row.kind in ("legible", "read"):
         return [False] * len(ours)
     if artefact.endswith(".pal"):
         digits, source = _pal_shown(scan, second=row.scan == "^")
