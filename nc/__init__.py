@@ -1,6 +1,7 @@
 """The Moog Hydra-Point 83-1000 MC: from a tape to the path of its cutter and the part.
 
     blocks      frames to blocks of 20 rows, or the row that is wrong
+    diagnosis   why a tape is refused, said of the tape as a whole
     machine     what each block makes the machine do, and the time it takes
     path        what it did: steps, moves, modes, times
     listing     the program as a table

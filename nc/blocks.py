@@ -9,8 +9,9 @@ of the 20 that the first end of block closes.
     frame     040 040 001 040 001 031 ... 200        as punched, with parity
     sensed      0   0   1   0   1   9 ... end        & 217
 
-With `strict` every row must be one of the ten EIA digits with odd parity, as for later controls, and a blank
-row is an error. A block with an error is not returned in part.
+With `strict` a tape is read as later controls did: nothing up to the first end of block is read, a DEL is
+passed over, and every other row must be one of the ten EIA digits with odd parity; a blank row is an error.
+A block with an error is not returned in part.
 
 Sources: thesis, Chapter 2 (head, block, codes) and Chapter 5 (equal block length); EIA RS-244 for `strict`.
 """
@@ -42,6 +43,7 @@ HEAD = 0o217
 END_OF_BLOCK = 0o200
 
 _EIA_DIGITS = (0o040, 0o001, 0o002, 0o023, 0o004, 0o025, 0o026, 0o007, 0o010, 0o031)
+_DELETE = 0o177
 _END = ord("\r")
 _BAD = ord("?")
 
@@ -67,14 +69,18 @@ class BlockError(TapeError):
 
 
 class Row(NamedTuple):
-    """The place of a block: its number on the tape, counted from 1, and the frame of its first row."""
+    """The place of a block: its number on the tape, counted from 1, the frame of its first row, and those of
+    all its rows where frames between them were passed over.
+    """
 
     number: int
     frame: int
+    frames: tuple[int, ...] = ()
 
     def error(self, row: int, message: str) -> BlockError:
         """Return the error of this block's row 1 to 20."""
-        return BlockError(message, self.frame + row - 1, self.number, row)
+        frame = self.frames[row - 1] if row <= len(self.frames) else self.frame + row - 1
+        return BlockError(message, frame, self.number, row)
 
 
 def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
@@ -82,14 +88,23 @@ def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
 
     Raises BlockError at a block of wrong length or content, TapeError if no frame is punched.
     """
-    sensed = frames.translate(_STRICT if strict else _SENSED)
     end = len(frames.rstrip(b"\0"))
     if not end:
         raise TapeError("no row is punched: the tape is empty or blank")
-    start = _first_row(frames)
+    if strict:
+        first = frames.find(END_OF_BLOCK) + 1
+        kept = [at for at in range(first, end) if frames[at] != _DELETE]
+        frames = bytes(frames[at] for at in kept)
+        start, end = 0, len(kept)
+        if not end:
+            raise TapeError("no row is read: later controls begin after the first end of block")
+    else:
+        kept = []
+        start = _first_row(frames)
+    sensed = frames.translate(_STRICT if strict else _SENSED)
     for number, frame in enumerate(range(start, end, ROWS), 1):
         rows = sensed[frame : frame + ROWS]
-        place = Row(number, frame)
+        place = Row(number, kept[frame], tuple(kept[frame : frame + ROWS])) if strict else Row(number, frame)
         if len(rows) < ROWS or rows[-1] != _END or not rows[:-1].isdigit():
             raise _fault(place, frames[frame : frame + ROWS], rows, strict)
         found = block(rows[:-1])

@@ -30,6 +30,9 @@ _FIGURES = bytes(code | channel_8 for code in b"0123456789 \r\n\0\x7f" for chann
 _NO_CHARACTERS = bytes([strip.BLANK, strip.LEADER, strip.RUBOUT])
 _MOST_WRONG = 0.1
 _MANY = 20
+_SPLICE = 6
+"""So many faults more, and a tape is rather one piece than two of different parity."""
+_LIKELIEST = ("none", "mark", "even", "odd")
 _SILENT = bytes([0o000, 0o200, 0o177, 0o377])  # blank, leader and RUBOUT, with and without channel 8
 
 _NAMES = {
@@ -95,6 +98,9 @@ class _Ascii(Characters):
     def caption(self, frame: int) -> str:
         return name(frame)
 
+    def line_end(self) -> int:
+        return LF
+
     def likelihood(self, frames: bytes) -> float:
         """Return MOSTLY if nine in ten frames are characters that a text has."""
         _, content, _ = strip.strip(frames)
@@ -109,24 +115,37 @@ class _Ascii(Characters):
         lines = decode(frames).split("\n")
         rest = lines.pop()
         held = f"{len(lines):,}{lengths(map(len, lines), 'characters')}{unended(rest, 'characters')}"
-        rows = [("parity", strip.parity(frames)), ("lines", held)]
+        pieces = _parities(frames, ())
+        rows = [("parity", said(pieces) if pieces else "mixed"), ("lines", held)]
         if returns or feeds:
             ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT"
             rows.append(("line ends", ends))
         if feeds and not returns:
-            said = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"
-            rows.append(("warning", said))
+            warning = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"
+            rows.append(("warning", warning))
         return rows
 
+    def fitting(self, frames: bytes) -> bytes:
+        tables = [strip.PARITIES[name] for name, _ in _parities(frames, ())] or [bytes(range(256))]
+        obeying = {frame for frame in WRITING if any(table[frame] == frame for table in tables)}
+        return bytes({*obeying, strip.RUBOUT})
+
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
-        """Return the parity that nine in ten of the characters obey, all of them if they are few."""
-        sure = bytes(frame for at, frame in enumerate(frames) if at not in doubtful)
-        parity = _obeyed(sure)
-        if parity not in strip.PARITIES:
+        """Return the parity that nine in ten of the characters obey, all of them if they are few; a tape
+        that is spliced may have one after the other.
+        """
+        pieces = _parities(frames, doubtful)
+        if not pieces:
             return None
-        table = strip.PARITIES[parity]
-        obeys = bytes(frame for frame in range(256) if table[frame] == frame or frame in _NO_CHARACTERS)
-        return Rule(f"the tape's parity, {parity}", lambda _, frame: frame in obeys)
+        ends = [end for _, end in pieces]
+
+        def obeyed(at: int, frame: int) -> bool:
+            piece = 0
+            while ends[piece] <= at:
+                piece += 1
+            return frame in _NO_CHARACTERS or strip.PARITIES[pieces[piece][0]][frame] == frame
+
+        return Rule(f"the tape's parity, {said(pieces)}", obeyed)
 
     def sense(self, frames: bytes) -> float:
         """Return how many lines end with CR LF."""
@@ -142,16 +161,39 @@ class _Ascii(Characters):
         )
 
 
-def _obeyed(frames: bytes) -> str:
-    characters = bytes(frame for frame in frames if frame not in _NO_CHARACTERS)
-    wrong = int(_MOST_WRONG * len(characters)) if len(characters) >= _MANY else 0
-    best = "mixed"
-    for name, table in strip.PARITIES.items():
-        punched = characters.translate(table)
-        breaking = sum(frame != punched[at] for at, frame in enumerate(characters))
-        if breaking < wrong or (breaking == wrong and best == "mixed"):
-            best, wrong = name, breaking
-    return best if characters else "none"
+def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]:
+    """Return the parity of each piece of a tape and the frame where it ends, doubtful frames apart; [] where
+    more than a tenth of the characters break it. One piece is likelier than two that save few faults.
+    """
+    characters = ((at, frame) for at, frame in enumerate(frames) if frame not in _NO_CHARACTERS)
+    sure = [(at, frame) for at, frame in characters if at not in doubtful]
+    for name in _LIKELIEST:
+        if all(strip.PARITIES[name][frame] == frame for frame in set(frames) - set(_NO_CHARACTERS)):
+            return [(name, len(frames))]
+    costs = {name: 0 for name in _LIKELIEST}
+    ways: dict[str, list[tuple[str, int]]] = {name: [(name, 0)] for name in _LIKELIEST}
+    for at, frame in sure:
+        best = _least(costs)
+        spliced, before = costs[best] + _SPLICE, ways[best]
+        for name in _LIKELIEST:
+            if spliced < costs[name]:
+                costs[name], ways[name] = spliced, [*before, (name, at)]
+            costs[name] += strip.PARITIES[name][frame] != frame
+    best = _least(costs)
+    if not sure or costs[best] > (_MOST_WRONG * len(sure) if len(sure) >= _MANY else 0):
+        return []
+    starts = [start for _, start in ways[best]][1:]
+    return list(zip([name for name, _ in ways[best]], [*starts, len(frames)], strict=True))
+
+
+def _least(costs: dict[str, int]) -> str:
+    least = min(costs.values())
+    return next(name for name, cost in costs.items() if cost == least)
+
+
+def said(pieces: list[tuple[str, int]]) -> str:
+    """Return the parities of a tape's pieces: "even", "even to frame 399, mark"."""
+    return ", ".join([*(f"{name} to frame {end - 1}" for name, end in pieces[:-1]), pieces[-1][0]])
 
 
 ASCII: Final = _Ascii("ascii", "ASCII", "an ASCII tape", "#f1dfae")

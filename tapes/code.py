@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Iterable
 from typing import Final, NamedTuple
 
 from tapes.errors import TapeError
+from tapes.frames import BLANK, CHANNEL_8, LABEL_GAP, skip
 from tapes.quantities import counted
 
 Row = tuple[str, str]
@@ -22,6 +23,11 @@ PERHAPS: Final = 0.2
 """How likely a tape is in a code: every frame fits, and so does what only this code has; the same after a
 label; it begins with that code's own leader; nine frames in ten fit; it begins so. 0.0: it is not.
 """
+
+
+_LONGEST_TITLE: Final = 2000
+_LETTER: Final = 8
+"""Frames of a letter of a title, at most; one may fit the code."""
 
 
 class Rule(NamedTuple):
@@ -72,6 +78,14 @@ class Code:
         """Return the frame of which leader and trailer consist."""
         return 0o200
 
+    def gaps(self, frames: bytes) -> tuple[range, ...]:
+        """Return the blank tape inside the data, where a code has none."""
+        return ()
+
+    def line_end(self) -> int:
+        """Return the character, without its channel 8 if that is parity, after which another line begins."""
+        return 0o200
+
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return what the frames obey, `doubtful` ones apart; None if a frame cannot show its own faults."""
         return None
@@ -101,8 +115,38 @@ class Characters(Code):
         raise NotImplementedError
 
     def captions(self, frames: bytes) -> list[str]:
-        """Return the character of each frame, or the name of its function."""
-        return [self.caption(frame) for frame in frames]
+        """Return the character of each frame, or the name of its function; of a title, that it is one."""
+        passed = {at for label in self.labels(frames) for at in label}
+        return ["label" if at in passed else self.caption(frame) for at, frame in enumerate(frames)]
+
+    def fitting(self, frames: bytes) -> bytes:
+        """Return the frames that a tape's characters may be."""
+        raise NotImplementedError
+
+    def labels(self, frames: bytes) -> tuple[range, ...]:
+        """Return the frames of a title before the text: letters for the eye, then blank tape. They do not fit
+        the code, and what follows does.
+        """
+        first = skip(frames, 0, BLANK)
+        title = range(0)
+        end = frames.find(LABEL_GAP, first, _LONGEST_TITLE)
+        while end != -1:
+            start = skip(frames, end, BLANK)
+            if start == len(frames):
+                break
+            piece = frames[max(first, title.stop) : end].strip(LABEL_GAP)
+            if self._has_lines(frames[start:]) and self.likelihood(frames[start:]) >= MOSTLY:
+                odd = piece.replace(LABEL_GAP[:1], b"").translate(None, self.fitting(frames[start:]))
+                written = self._has_lines(piece) and len(odd) < len(piece) / 10
+                if written or not (odd or BLANK in piece or (title and len(piece) <= _LETTER)):
+                    break
+                title = range(first, end)
+            end = frames.find(LABEL_GAP, start, _LONGEST_TITLE)
+        return (title,) if title else ()
+
+    def _has_lines(self, frames: bytes) -> bool:
+        end = self.line_end()
+        return end in frames or (end < CHANNEL_8 and end | CHANNEL_8 in frames)
 
 
 def fault(read: Callable[[bytes], object], frames: bytes) -> str | None:

@@ -9,7 +9,7 @@ To add a code, write its file beside eia.py, and name its object here.
 from typing import Final
 
 from tapes import ascii, eia, loaders
-from tapes.code import Code
+from tapes.code import Characters, Code
 from tapes.frames import BLANK, label_before, leader_start, skip
 
 BIN: Final = loaders.BIN
@@ -33,6 +33,8 @@ def recognise(frames: bytes) -> Code:
         likelihood = code.likelihood(body)
         if likelihood > most:
             found, most = code, likelihood
+    if found is UNKNOWN:
+        return next((code for code in CODES if isinstance(code, Characters) and code.labels(frames)), UNKNOWN)
     return found
 
 

@@ -10,7 +10,7 @@ or it has LF without CR, as a text file has.
 
 from typing import Final
 
-from tapes import codes, frames, octal
+from tapes import codes, doubts, frames, octal, redundancy
 from tapes.code import Characters
 from tapes.errors import TapeError, TextError
 from tapes.loaders import Words
@@ -20,11 +20,19 @@ FORMS: Final = (TEXT, *(code.name for code in codes.CODES), OCTAL)
 """What a tape is converted from and to."""
 
 
-def convert(content: bytes, source: str, target: str, parity: str = "mark", fill: int | None = None) -> bytes:
+def convert(
+    content: bytes,
+    source: str,
+    target: str,
+    parity: str = "mark",
+    fill: int | None = None,
+    *,
+    accept: bool = False,
+) -> bytes:
     """Convert the tape or file `content` from `source`, one of FORMS, to `target`, FRAMES or one of them.
 
     `parity` and `fill` say how ASCII is punched. Raises TapeError or TextError: characters cannot become
-    words.
+    words; frames are doubtful, unless `accept` takes them as they were punched.
     """
     code = codes.named(source)
     if source == OCTAL:
@@ -35,9 +43,12 @@ def convert(content: bytes, source: str, target: str, parity: str = "mark", fill
     if target == OCTAL:
         return octal.decode(content).encode()
     made = codes.named(target)
+    title = b""
+    if isinstance(code, Characters):
+        title, content = _without_title(content, code, accept)
     if code is made is codes.ASCII and fill is None and not _is_file(content):
         leader, body, trailer = frames.strip(content)
-        return leader + frames.with_parity(body, parity) + trailer
+        return title + leader + frames.with_parity(body, parity) + trailer
     if isinstance(code, Words) and isinstance(made, Words):
         return made.encode(code.decode(content))
     if (source == TEXT or isinstance(code, Characters)) and (target == TEXT or isinstance(made, Characters)):
@@ -46,9 +57,22 @@ def convert(content: bytes, source: str, target: str, parity: str = "mark", fill
         return made.encode(text, parity, punched) if isinstance(made, Characters) else text.encode()
     if not content:
         raise TapeError("empty tape", 0)
+    way = redundancy.turned(content)
+    if way:
+        raise TapeError(f"the tape is {redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it")
     raise TapeError(
         f"{TEXT if source == TEXT else code.article} cannot become {target}; octal takes any tape"
     )
+
+
+def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[bytes, bytes]:
+    """Return the title of a tape and its text. Raises TapeError for doubtful frames that are not accepted."""
+    if not accept:
+        doubts.check(content, code)
+    for gap in reversed(code.gaps(content)):
+        content = content[: gap.start] + content[gap.stop :]
+    end = max([label.stop for label in code.labels(content)], default=0)
+    return content[:end], content[end:]
 
 
 def typed(content: bytes) -> str:

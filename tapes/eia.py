@@ -18,7 +18,7 @@ from collections.abc import Collection
 from itertools import pairwise
 from typing import Final
 
-from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, fault, lengths, nearly_all, unended
+from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lengths, nearly_all, unended
 from tapes.errors import TapeError, TextError
 from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, channels, paper_end, skip
 
@@ -48,6 +48,7 @@ _NAMES = {
 }  # fmt: skip
 
 _FITTING = bytes([*CHARACTERS, DELETE])
+_WITHOUT_ZERO = bytes([BLANK, DELETE, EOB, *(CODES[digit] for digit in "123456789")])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
@@ -140,22 +141,43 @@ class _Eia(Characters):
         ends = [at for at, code in enumerate(codes, 1) if code == EOB]
         counts = (end - begin for begin, end in pairwise([0, *ends]))
         rest = codes[ends[-1] :] if ends else codes
+        whole = not codes.translate(None, _FITTING)
         return [
             ("blocks", f"{len(ends):,}{lengths(counts, 'frames')}{unended(rest, 'frames')}"),
-            ("parity", fault(decode, frames) or "odd in every frame; every frame an EIA code"),
+            (
+                "parity",
+                "odd in every frame; every frame an EIA code" if whole else "odd, but not in every frame",
+            ),
         ]
+
+    def gaps(self, frames: bytes) -> tuple[range, ...]:
+        """Return the runs of blank tape between characters; none on a tape whose zeros are blank."""
+        if not frames.translate(None, _WITHOUT_ZERO):
+            return ()
+        found: list[range] = []
+        labels = self.labels(frames)
+        at = skip(frames, labels[-1].stop if labels else 0, BLANK)
+        end = paper_end(frames)
+        while (start := frames.find(BLANK, at, end)) != -1:
+            at = skip(frames, start, BLANK)
+            found.append(range(start, at))
+        return tuple(found)
+
+    def fitting(self, frames: bytes) -> bytes:
+        return _FITTING
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return that each frame has a code; all of them have an odd number of holes."""
-        return Rule("EIA's odd holes", lambda _, frame: frame in CHARACTERS or frame in (BLANK, DELETE))
+        return Rule(
+            "EIA's code, of odd holes", lambda _, frame: frame in CHARACTERS or frame in (BLANK, DELETE)
+        )
 
     def sense(self, frames: bytes) -> float:
-        """Return how many blocks have a number one more than that before."""
-        if fault(lambda tape: decode(tape, blank="0"), frames):
-            return 0.0
-        starts = [line[:3] for line in decode(frames, blank="0").split("\n")]
+        """Return how many blocks have a number a little above that before."""
+        lines = "".join(CHARACTERS.get(frame, "0" * (frame == BLANK)) for frame in frames).split("\n")
+        starts = [line.removeprefix("N")[:3] for line in lines]
         numbers = [int(start) for start in starts if start.isdecimal()]
-        return sum(after - before == 1 for before, after in pairwise(numbers))
+        return sum(0 < after - before <= 10 for before, after in pairwise(numbers))
 
     def doubt(self, frames: bytes) -> str:
         """Return that a program finds no ASCII."""

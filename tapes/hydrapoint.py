@@ -247,19 +247,29 @@ def corner(
 def typed(text: str) -> str | None:
     """Return a program as it is punched, None for text that is no program.
 
-    More than half of its lines are blocks: 19 digits and spaces, or a digit too few or too many. Where a
-    block's digits stand apart, as the thesis prints them, the spaces are for clarity and are left out; else
-    each is a zero. Blank lines mean nothing. Raises TextError naming the first other line that is no block.
+    More than half of its lines are blocks: 19 digits and spaces, or a digit too few or too many, also where
+    tabs, commas or semicolons are between the fields or a letter is written for a figure. Where a block's
+    digits stand apart, as the thesis prints them, the spaces are for clarity and are left out; else each is a
+    zero. Blank lines mean nothing. Raises TextError naming the first other line that is no block, and what
+    in a block is neither digit nor space.
     """
     lines = text.split("\n")
     blocks = [line for line in lines if line.strip()]
-    figures = [block for block in blocks if block.replace(" ", "").isdecimal()]
-    near = [block for block in figures if abs(len(block.replace(" ", "")) - DIGITS) <= 1]
+    figures = ["".join(_MISTAKEN.get(character, character) for character in line) for line in blocks]
+    near = [
+        block
+        for block in figures
+        if block.replace(" ", "").isdecimal() and abs(len(block.replace(" ", "")) - DIGITS) <= 1
+    ]
     if 2 * len(near) <= len(blocks):
         return None
     spaced = any(len(block) > DIGITS for block in near)
     at = 0
     for line in lines:
+        wrong = next((place for place, each in enumerate(line) if each in _MISTAKEN), None)
+        if wrong is not None:
+            found = line[wrong]
+            raise TextError(f"{_NAMES.get(found, repr(found))} in a block; {_MEANT[found]}", text, at + wrong)
         digits = line.replace(" ", "") if spaced else line
         if line.strip() and not line.replace(" ", "").isdecimal():
             raise TextError(f"{line.strip()[:40]!r} is no block of {DIGITS} digits", text, at)
@@ -267,3 +277,12 @@ def typed(text: str) -> str | None:
             raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
         at += len(line) + 1
     return "".join(f"{block.replace(' ', '') if spaced else block}\n" for block in blocks)
+
+
+_MISTAKEN: Final = {**dict.fromkeys("\t,;", " "), **dict.fromkeys("Oo", "0"), **dict.fromkeys("Il", "1")}
+_NAMES: Final = {"\t": "a tab", ",": "a comma", ";": "a semicolon", "O": "the letter O", "l": "the letter l"}
+_MEANT: Final = {
+    **dict.fromkeys("\t,;", "between its fields are spaces or nothing"),
+    **dict.fromkeys("Oo", "a zero is 0"),
+    **dict.fromkeys("Il", "a one is 1"),
+}

@@ -4,14 +4,22 @@ Sources: 10 frames an inch (ECMA-10); ASR-33 10 characters a second, PC8/L reade
 Computer Handbook, DEC).
 """
 
-from tapes import codes, frames
-from tapes.code import Row
-from tapes.quantities import duration
+from collections.abc import Iterator
+
+from tapes import codes, controls, doubts, frames, redundancy
+from tapes.code import Characters, Code, Row
+from tapes.quantities import counted, duration
+
+TO_TEXT = "`pdp8 tape convert --to text` gives its G-code"
+_SHOWN = 10
 
 
 def report(tape: bytes) -> list[Row]:
     """Return what there is to say of the tape, as (name, value) in the order of interest."""
     code = codes.recognise(tape)
+    found = doubts.find(tape, code)
+    way = redundancy.turned(tape)
+    control = controls.other_control(tape, code)
     pieces = frames.strip(tape, code.leader())
     return [
         ("tape", code.title if tape else "empty"),
@@ -19,7 +27,19 @@ def report(tape: bytes) -> list[Row]:
         ("length", length(len(tape))),
         ("time", times(len(tape))),
         *code.report(tape),
+        *((("control", f"{control}, not the Hydra-Point's; {TO_TEXT}"),) if control else ()),
+        *((("turned", f"{redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it"),) if way else ()),
+        *(("doubt", f"{doubt}") for doubt in found[:_SHOWN]),
+        *((("doubt", f"and {len(found) - _SHOWN:,} more"),) if found[_SHOWN:] else ()),
+        *(_labels(tape, code) if isinstance(code, Characters) else ()),
     ]
+
+
+def _labels(tape: bytes, code: Code) -> Iterator[Row]:
+    for label in code.labels(tape):
+        yield "title", f"{counted(len(label), 'frames')} from frame {label.start} on"
+        for row in frames.draw_label(tape[label.start : label.stop]):
+            yield "", row
 
 
 def length(count: int) -> str:

@@ -20,7 +20,7 @@ one side of the sprocket and five on the other, channel 1 being the outermost of
 from collections.abc import Iterator
 from html import escape
 
-from tapes import codes
+from tapes import codes, doubts
 from tapes.frames import channels, draw
 
 WIDTH = 1000  # thousandths of an inch, as everything below
@@ -91,7 +91,10 @@ _Row = tuple[int, int, str]
 
 
 def _range(frames: bytes, code: str, start: int, stop: int | None) -> Iterator[_Row]:
-    said = codes.named(code).captions(frames)
+    known = codes.named(code)
+    said = known.captions(frames)
+    for doubt in doubts.find(frames, known):
+        said[doubt.frame] += "  ?" if doubt.likely is None else f"  ? likely {known.caption(doubt.likely)}"
     numbers = range(*slice(start, stop).indices(len(frames)))
     return ((number, frames[number], said[number]) for number in numbers)
 

@@ -15,6 +15,17 @@ from itertools import combinations
 from tapes import codes
 from tapes.code import Code
 from tapes.frames import BLANK
+from tapes.loaders import Words
+
+_MIRRORED = bytes(int(f"{frame:08b}"[::-1], 2) for frame in range(256))
+
+REVERSE, MIRROR = "--reverse", "--mirror"
+TURNED = {
+    REVERSE: "back to front",
+    MIRROR: "upside down",
+    f"{REVERSE} {MIRROR}": "upside down and back to front",
+}
+"""What a tape is that `pdp8 tape cut` has to turn so."""
 
 _MOST_FLIPPED = 3
 _MOST_WRONG = 0.1
@@ -92,8 +103,24 @@ def _by_checksum(
 
 def looks_reversed(frames: bytes) -> bool:
     """Whether a tape makes sense only from its other end, as one does that was seen from below."""
-    return _sense(frames[::-1]) > _sense(frames)
+    return codes.recognise(frames[::-1]).sense(frames[::-1]) > codes.recognise(frames).sense(frames)
+
+
+def mirrored(frames: bytes) -> bytes:
+    """Return the tape turned over: channel 8 is channel 1, channel 7 channel 2."""
+    return frames.translate(_MIRRORED)
+
+
+def turned(frames: bytes) -> str:
+    """Return how a tape that makes no sense has to be turned to make some: REVERSE, MIRROR or both; ""."""
+    own = _sense(frames)
+    ways = {REVERSE: frames[::-1], MIRROR: mirrored(frames), f"{REVERSE} {MIRROR}": mirrored(frames[::-1])}
+    senses = {way: _sense(tape) for way, tape in ways.items()}
+    best = max(senses, key=lambda way: senses[way])
+    return best if senses[best] > max(2, 2 * own) else ""
 
 
 def _sense(frames: bytes) -> float:
-    return codes.recognise(frames).sense(frames)
+    code = codes.recognise(frames)
+    sense = code.sense(frames)
+    return 0.0 if isinstance(code, Words) and sense < len(frames) else sense

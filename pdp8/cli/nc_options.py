@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import click
 
 from pdp8 import shelf
+from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
 from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, named, naming
 
 if TYPE_CHECKING:
     from nc.curves import Curve
-    from nc.machine import CutError, Settings
+    from nc.machine import Settings
     from nc.path import Path
 
 
@@ -73,7 +74,12 @@ class Tape:
 
     name: Annotated[str, click.argument("name", type=Source(), metavar="[FILE.eia]", default="-")]
     strict: Annotated[
-        bool, option("--strict", is_flag=True, help="Read as later controls did: odd parity, no blank rows.")
+        bool,
+        option(
+            "--strict",
+            is_flag=True,
+            help="Read as later controls did: from the first end of block on, odd parity, no blank rows.",
+        ),
     ]
 
 
@@ -279,29 +285,15 @@ def cut(tape: Tape, settings: "Settings | None" = None) -> "Path":
 
 def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", WorkError | None]:
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
-    from nc import machine
+    from nc import diagnosis, machine
 
     frames = shelf.read(tape.name)
+    command.say_of(tape.name, () if tape.strict else diagnosis.notes(frames))
     with naming(tape.name):
         try:
             return machine.cut(frames, strict=tape.strict, settings=settings or machine.Settings()), None
         except machine.CutError as error:
-            complaint = _not_eia(frames, error) or error
+            complaint = WorkError(diagnosis.explain(frames, error))
             if not error.path:
                 raise complaint from error
             return error.path, named(tape.name, complaint)
-
-
-def _not_eia(frames: bytes, error: "CutError") -> WorkError | None:
-    """Return an error that adds the kind of the tape, if its first block is bad because it is not EIA."""
-    from tapes import ascii, codes
-
-    code = codes.recognise(frames) if error.block == 1 else codes.EIA
-    if code not in codes.CODES or code is codes.EIA:
-        return None
-    cure = ""
-    if code is codes.ASCII and ascii.ends_blocks(frames):
-        cure = "; `pdp8 run eia.pal` translates it"
-    elif code is codes.ASCII:
-        cure = "; `pdp8 tape punch --code eia` punches typed blocks"
-    return WorkError(f"{error}; the tape seems to be {code.name.upper()}, and the machine reads EIA{cure}")

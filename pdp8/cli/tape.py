@@ -10,18 +10,61 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import codes, eia, frames, hydrapoint, measure, picture
+from tapes import codes, doubts, eia, frames, hydrapoint, measure, picture, redundancy
 from tapes import convert as conversion
-from tapes.code import Characters
+from tapes.code import Characters, Code
 from tapes.errors import TapeError, called, naming
 from tapes.loaders import Words
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
+_SHOWN = 5
 _NAMES = [code.name for code in codes.CODES]
 _TYPED = {code.name: code for code in codes.CODES if isinstance(code, Characters)}
 _output = output(Target("tape"))
 _file = click.argument("file", type=Source(), default="-")
+
+
+_accept = option("--accept", is_flag=True, help="Take doubtful frames as they were punched.")
+
+
+def _frames_and_values(_context: click.Context, _option: click.Parameter, value: str) -> dict[int, int]:
+    mends = {}
+    for each in filter(None, value.split(",")):
+        try:
+            frame, octal = each.split("=")
+            mends[int(frame)] = int(octal, 8)
+            if int(frame) < 0 or not 0 <= mends[int(frame)] <= 0o377:
+                raise ValueError
+        except ValueError:
+            raise click.BadParameter(
+                f"{each!r} is not FRAME=OCTAL, such as 1020=116; OCTAL is 000 to 377"
+            ) from None
+    return mends
+
+
+_mend = option(
+    "--mend",
+    metavar="FRAME=OCTAL,...",
+    default="",
+    callback=_frames_and_values,
+    help="Take these frames for others than were punched.",
+)
+
+
+def _mended(content: bytes, values: dict[int, int]) -> bytes:
+    for frame in values:
+        if frame >= len(content):
+            raise click.UsageError(f"--mend {frame}: the last frame is {len(content) - 1}")
+    return doubts.mended(content, values)
+
+
+def _say_accepted(file: str, content: bytes, code: Code) -> None:
+    """Say which frames were taken although they are doubtful, and which are a title."""
+    found = [f"{doubt}; taken as punched" for doubt in doubts.find(content, code)]
+    more = [f"and {len(found) - _SHOWN} more"] * (len(found) > _SHOWN)
+    titles = [f"a title of {len(label)} frames from frame {label.start} on" for label in code.labels(content)]
+    command.say_of(file, (*found[:_SHOWN], *more, *titles))
 
 
 def _parity(code: str) -> Callable[[_Function], _Function]:
@@ -142,10 +185,23 @@ def info(files: tuple[str, ...]) -> None:
     needs="--to=ascii",
     help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
 )
+@_accept
+@_mend
 @output(Target())
-def convert(*, file: str, code: str, target: str, parity: str, fill: int | None, output: str) -> None:
+def convert(
+    *,
+    file: str,
+    code: str,
+    target: str,
+    parity: str,
+    fill: int | None,
+    accept: bool,
+    mend: dict[int, int],
+    output: str,
+) -> None:
     """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
-    frames.
+    frames. A frame that breaks a rule which its tape obeys is named, and no tape is made of it before it is
+    mended or accepted.
 
     \b
     Examples:
@@ -155,20 +211,73 @@ def convert(*, file: str, code: str, target: str, parity: str, fill: int | None,
       pdp8 tape convert eia.bin --to octal > eia.txt
       pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
     """
-    content = shelf.read(file)
+    content = _mended(shelf.read(file), mend)
     source = codes.recognise(content).name if code == _AUTO else code
     with naming(file):
-        converted = conversion.convert(content, source, target, parity, fill)
+        converted = conversion.convert(content, source, target, parity, fill, accept=accept)
     command.put(output, converted.decode() if target in (conversion.TEXT, conversion.OCTAL) else converted)
     words = codes.named(source)
     if isinstance(words, Words) and isinstance(codes.named(target), Words):
         command.say_of(file, words.left_out(content))
+    elif target in _TYPED or target == conversion.TEXT:
+        _say_accepted(file, content, words)
+
+
+def _numbers(_context: click.Context, _option: click.Parameter, value: str) -> frozenset[int]:
+    found: set[int] = set()
+    for each in filter(None, value.split(",")):
+        first, _, last = each.partition("-")
+        if not first.isdecimal() or not (last or first).isdecimal():
+            raise click.BadParameter(f"{each!r} is not a frame or a range of them, such as 1001,821-826")
+        found.update(range(int(first), int(last or first) + 1))
+    return frozenset(found)
+
+
+@tape.command()
+@_file
+@option("--from", "first", type=click.IntRange(0), metavar="FRAME", default=0, help="First frame to keep.")
+@option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="Last frame to keep.")
+@option("--without", metavar="FRAMES", default="", callback=_numbers, help="Leave out frames: 1001,821-826.")
+@option("--reverse", is_flag=True, help="Turn it back to front: the last frame first.")
+@option("--mirror", is_flag=True, help="Turn it over: channel 8 becomes channel 1.")
+@_mend
+@_output
+def cut(
+    *,
+    file: str,
+    first: int,
+    last: int | None,
+    without: frozenset[int],
+    reverse: bool,
+    mirror: bool,
+    mend: dict[int, int],
+    output: str,
+) -> None:
+    """Cut a piece out of a tape, leave out or mend frames, turn it.
+
+    Frames are numbered as they are on FILE.
+
+    \b
+    Examples:
+      pdp8 tape cut spliced.eia --without 821-826 -o whole.eia
+      pdp8 tape cut titled.eia --from 44 -o program.eia
+      pdp8 tape cut wrong.eia --reverse -o right.eia
+    """
+    content = _mended(shelf.read(file), mend)
+    with naming(file):
+        _check(first, len(content))
+    kept = range(first, len(content) if last is None else last + 1)
+    piece = bytes(frame for at, frame in enumerate(content) if at in kept and at not in without)
+    piece = redundancy.mirrored(piece) if mirror else piece
+    command.put(output, piece[::-1] if reverse else piece)
 
 
 @tape.command()
 @click.argument("file", type=Source(), metavar="[FILE.eia]", default="-")
+@_accept
+@_mend
 @_output
-def clean(*, file: str, output: str) -> None:
+def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None:
     """Keep only the digits and ends of block of an EIA tape, as a second pass through a Flexowriter did.
 
     The thesis's second conversion program passes line feeds and rubouts on as other codes; its tapes need
@@ -178,7 +287,10 @@ def clean(*, file: str, output: str) -> None:
     Examples:
       pdp8 run eia2.pal < circle.asc | pdp8 tape clean > circle.eia
     """
-    content = shelf.read(file)
+    content = _mended(shelf.read(file), mend)
+    if not accept:
+        with naming(file):
+            doubts.check(content.replace(b"\0", b"\x7f"), codes.EIA)
     with naming(file):
         cleaned = eia.clean(content)
     command.put(output, cleaned)

@@ -123,7 +123,7 @@ ROW_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape 
     [
         ("list", b"", "standard input: no row is punched: the tape is empty or blank"),
         ("plot", CIRCLE[:-7], "standard input: frame 13313: block 666, row 13: the tape ends after 13 rows"),
-        ("list --strict", PARITY, "standard input: frame 700: block 35, row 20: wrong parity: 240 has 2 "),
+        ("list --strict", PARITY, "standard input: frame 700: block 34, row 20: wrong parity: 240 has 2 "),
         (
             "list -",
             "\n".join(FOUR_HOLES).encode(),

@@ -105,7 +105,13 @@ def test_what_the_machine_cannot_be_set_to() -> None:
 def test_a_strict_machine_refuses_any_one_hole_changed_in_its_row() -> None:
     """Parity, no blank rows, digits only; in the first six of eight blocks, so that a shift has room."""
     program = tape(*CIRCLE_BLOCKS[:8]) + bytes(100)
-    assert nc.cut(program, strict=True).steps == nc.cut(program).steps
+    blocks = [step.block for step in nc.cut(program).steps]
+    assert [step.block for step in nc.cut(program, strict=True).steps] == blocks[1:]
+    program = b"\x80" + program.lstrip(b"\0")
+    assert [step.block for step in nc.cut(program, strict=True).steps] == blocks
+    rubbed = program[:50] + b"\x7f\x7f" + program[50:]
+    assert [step.block for step in nc.cut(rubbed, strict=True).steps] == blocks
+    assert refusal(rubbed[:70] + b"\3" + rubbed[71:], strict=True).frame == 70
     for frame in range(2, 121):
         for hole in (1 << channel for channel in range(8)):
             changed = bytearray(program)

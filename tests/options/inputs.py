@@ -193,6 +193,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "dis": ("work.bin",),
     "tape clean": ("small.eia",),
+    "tape cut": ("small.eia",),
     "tape convert": (
         "in.asc --to ascii",
         "in.asc --to text",
@@ -283,6 +284,10 @@ _VALUES: Final = {
     "--for": "8/E",
     "--tape": "small.eia",
     "tape convert --code": "octal",
+    "--mend": "1=043",
+    "--without": "3,5-6",
+    "tape cut --from": "1",
+    "tape cut --to": "30",
     "tape convert --to": "octal",
     "--parity": "even",
     "--fill": "3",

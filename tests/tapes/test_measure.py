@@ -52,7 +52,9 @@ parity odd in every frame; every frame an EIA code""",
     EIA.replace(b"\x15", b"\x14"): """\
 tape EIA RS-244
 blocks 2 of 20 frames, then 3 frames without an end
-parity frame 20: 024 (channels 5 3) is no EIA code: an even number of holes""",
+parity odd, but not in every frame
+doubt frame 20: 024 (channels 5 3) breaks EIA's code, of odd holes
+doubt frame 35: 024 (channels 5 3) breaks EIA's code, of odd holes""",
     FORMAT_BIN: f"""{BIN}\
 frames 185: leader 65, trailer 64
 checksum 1251 at frame 119: good

@@ -14,7 +14,7 @@ RIM = b"\0" + convert.convert(BIN, "bin", "rim", "mark", None)
 FAULTS = {
     "bin": (BIN, 100, 0o004, "the checksum"),
     "rim": (RIM, 101, 0o100, "RIM's order"),
-    "eia": (EIA, 100, 0o004, "EIA's odd holes"),
+    "eia": (EIA, 100, 0o004, "EIA's code, of odd holes"),
     "mark": (CIRCLE, 100, 0o200, "the tape's parity, mark"),
     "even": (EVEN, 100, 0o004, "the tape's parity, even"),
     "none": (with_parity(CIRCLE, "none"), 100, 0o200, "the tape's parity, none"),

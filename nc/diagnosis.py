@@ -1,0 +1,75 @@
+"""Why the Hydra-Point refuses a tape: it is turned, titled, spliced, for another control.
+
+frame 821: block 42: 6 blank frames, where zeros are punched: a splice; `pdp8 tape cut --without 821-826`
+"""
+
+from nc.blocks import BlockError
+from tapes import codes, controls, doubts, redundancy
+from tapes.ascii import ends_blocks
+from tapes.code import Code
+from tapes.eia import DELETE, EOB
+from tapes.hydrapoint import ROWS
+
+_SHOWN = 5
+
+
+def notes(frames: bytes) -> tuple[str, ...]:
+    """Return what is doubtful on an EIA tape and yet passes under the head, which does not check parity."""
+    found = doubts.find(frames, codes.EIA) if codes.recognise(frames) is codes.EIA else []
+    shown = [f"{doubt}; the head does not check parity" for doubt in found[:_SHOWN] if doubt.seen]
+    return (*shown, *[f"and {len(found) - _SHOWN} more"] * (len(found) > _SHOWN))
+
+
+def explain(frames: bytes, error: BlockError) -> str:
+    """Return what is wrong with the tape that a block of it was refused for, and the command that mends it;
+    the error's own message where nothing more is known.
+    """
+    code = codes.recognise(frames)
+    control = controls.other_control(frames, code)
+    if control:
+        text = "`pdp8 tape convert --to text` gives its G-code to a program that reads it"
+        return f"a {control} tape in {code.name.upper()}, for another control than the Hydra-Point; {text}"
+    way = redundancy.turned(frames)
+    if way:
+        return f"the tape is {redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it"
+    if code is not codes.EIA:
+        return _in_another_code(frames, code, error)
+    labels = code.labels(frames)
+    if labels and error.frame is not None and error.frame < labels[-1].stop + ROWS:
+        label = labels[-1]
+        cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
+        return f"frame {label.start}: a title of {len(label)} frames before the program; {cure}"
+    return _in_block(frames, error)
+
+
+def _in_another_code(frames: bytes, code: Code, error: BlockError) -> str:
+    if error.block != 1 or code not in codes.CODES:
+        return str(error)
+    cure = ""
+    if code is codes.ASCII:
+        cure = "; `pdp8 tape punch --code eia` punches typed blocks"
+        if ends_blocks(frames):
+            cure = "; `pdp8 run eia.pal` translates it"
+    return f"{error}; the tape seems to be {code.name.upper()}, and the machine reads EIA{cure}"
+
+
+def _in_block(frames: bytes, error: BlockError) -> str:
+    """Return what does not belong into the block that was refused: blank tape, rubouts, an end too many."""
+    start = (error.frame or 0) - error.row + 1
+    block = range(start, start + ROWS)
+    for gap in codes.EIA.gaps(frames):
+        if gap.start in block or start in gap:
+            said = f"{len(gap)} blank frames, where zeros are punched: a splice"
+            return _left_out(gap, error.block, said)
+    rubouts = [at for at in block if frames[at : at + 1] == bytes([DELETE])]
+    if rubouts:
+        run = range(rubouts[0], rubouts[-1] + 1)
+        return _left_out(run, error.block, "rubouts (DEL), which the Hydra-Point reads as 15")
+    if frames[start] == EOB and error.row == 1:
+        return _left_out(range(start, start + 1), error.block, "an end of block without a block")
+    return str(error)
+
+
+def _left_out(run: range, block: int, said: str) -> str:
+    place = f"{run.start}-{run.stop - 1}" if len(run) > 1 else f"{run.start}"
+    return f"frame {run.start}: block {block}: {said}; `pdp8 tape cut --without {place}` leaves them out"

@@ -1,0 +1,138 @@
+"""Frames that break a rule which their tape obeys: each named, with the likeliest reading.
+
+    frame 1067: 114 (L) breaks the tape's parity, even; likely 116 (N), channel 2
+
+One hole is taken to be wrong. Which, is a guess from how often the rest of the tape has the character there:
+between the same neighbours, and at the same place of a line. Where that does not decide, nothing is proposed.
+A rule that more than one frame in ten breaks is none.
+"""
+
+from collections import Counter
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from tapes import codes
+from tapes.code import Code, Rule
+from tapes.errors import TapeError
+from tapes.frames import BLANK, channels
+from tapes.quantities import counted
+
+MOST_WRONG = 0.1
+_LIKELIER = 3.0
+
+
+class Doubt(NamedTuple):
+    """A frame that breaks the rule: its number, its value, the value that is likely, None if none is; what it
+    reads as if it is accepted, "" if as nothing.
+    """
+
+    frame: int
+    seen: int
+    likely: int | None
+    said: str
+    reading: str = ""
+
+    def __str__(self) -> str:
+        return f"frame {self.frame}: {self.said}"
+
+
+def find(frames: bytes, code: Code | None = None) -> list[Doubt]:
+    """Return the doubtful frames of a tape in `code`, which is recognised if it is not given."""
+    code = code or codes.recognise(frames)
+    rule = code.rule(frames)
+    if rule is None:
+        return []
+    passed = {at for label in code.labels(frames) for at in label}
+    wrong = [
+        at
+        for at, frame in enumerate(frames)
+        if frame != BLANK and not rule.obeyed(at, frame) and at not in passed
+    ]
+    if len(wrong) > MOST_WRONG * len(frames.replace(b"\0", b"")):
+        return []
+    context = _Context(frames, code.line_end())
+    found = [_doubt(at, frames, code, rule, context) for at in wrong]
+    for gap in code.gaps(frames):
+        said = f"{counted(len(gap), 'blank frames')} inside the data, as at a splice"
+        found.append(Doubt(gap.start, BLANK, None, said, "nothing"))
+    return sorted(found)
+
+
+def check(frames: bytes, code: Code | None = None) -> None:
+    """Raise TapeError that names the doubtful frames of a tape and how they are mended, if it has any."""
+    found = find(frames, code)
+    if not found:
+        return
+    shown = [f"{doubt}" for doubt in found[:5]] + [f"and {len(found) - 5} more"] * (len(found) > 5)
+    mends = [f"{doubt.frame}={doubt.likely:03o}" for doubt in found if doubt.likely is not None]
+    mend = f"--mend {','.join(mends[:8])}" if mends else "--mend FRAME=OCTAL"
+    accept = "; --accept takes them as they were punched" * any(doubt.reading for doubt in found)
+    raise TapeError("\n".join([*shown, f"{mend} replaces frames{accept}"]))
+
+
+def mended(frames: bytes, values: Mapping[int, int]) -> bytes:
+    """Return the tape with other values in some frames, {number: value}."""
+    tape = bytearray(frames)
+    for at, value in values.items():
+        tape[at] = value
+    return bytes(tape)
+
+
+class _Context:
+    """How often each character comes on a tape after, before and below another."""
+
+    def __init__(self, frames: bytes, end: int) -> None:
+        self._codes = frames.translate(bytes(range(0o200)) * 2) if end < 0o200 else frames
+        self._columns = []
+        start = 0
+        for at, frame in enumerate(self._codes):
+            self._columns.append(at - start)
+            if frame in (end, BLANK):
+                start = at + 1
+        self._alone = Counter(self._codes)
+        self._pairs = Counter(zip(self._codes, self._codes[1:], strict=False))
+        self._below = Counter(zip(self._columns, self._codes, strict=True))
+
+    def likelihood(self, at: int, frame: int) -> float:
+        """Return how likely a frame is at a place, by the rest of the tape."""
+        code = frame if frame in self._alone else frame & 0o177
+        if not self._alone[code]:
+            return 0.0
+        seen = self._codes[at]
+        before = self._pairs[self._codes[at - 1], code] if at else 0
+        after = self._pairs[code, self._codes[at + 1]] if at + 1 < len(self._codes) else 0
+        below = self._below[self._columns[at], code]
+        self_seen = code == seen  # the frame itself says nothing of what it should be
+        return (
+            (before - self_seen + 0.1)
+            * (after - self_seen + 0.1)
+            * (below - self_seen + 0.1)
+            / (self._alone[code] - self_seen + 1) ** 2
+        )
+
+
+def _doubt(at: int, frames: bytes, code: Code, rule: Rule, context: _Context) -> Doubt:
+    seen = frames[at]
+    scores = {}
+    for channel in range(8):
+        value = seen ^ 1 << channel
+        if value and rule.obeyed(at, value):
+            scores[value] = context.likelihood(at, value)
+    order = sorted(scores, key=lambda value: scores[value], reverse=True)
+    likely = None
+    if order and scores[order[0]] > 0 and scores[order[0]] >= _LIKELIER * sum(scores[v] for v in order[1:2]):
+        likely = order[0]
+    said = f"{_called(code, seen)} breaks {rule.name}"
+    if likely is not None:
+        said += f"; likely {_called(code, likely)}, channel {channels(seen ^ likely)[0]}"
+    return Doubt(at, seen, likely, said, _reading(code, seen))
+
+
+def _reading(code: Code, frame: int) -> str:
+    caption = code.caption(frame)
+    return "" if caption in ("?", f"{frame:03o}") else caption
+
+
+def _called(code: Code, frame: int) -> str:
+    holes = "channels " + " ".join(map(str, channels(frame)))
+    return f"{frame:03o} ({_reading(code, frame) or holes})"

@@ -1,0 +1,21 @@
+"""Every damaged frame is named, none invented, none mended in silence, on tapes whose damage is known."""
+
+import pytest
+
+from tests.tapes.damage import survey
+
+
+def _judge(count: int, seed: int) -> None:
+    found, faults = survey(count, seed)
+    assert faults == []
+    assert found["damaged"] >= count / 4
+    assert found["rightly"] >= 0.9 * found["proposed"] >= 0.7 * found["damaged"]
+
+
+def test_some_tapes() -> None:
+    _judge(80, 60)
+
+
+@pytest.mark.slow("2,000 tapes")
+def test_two_thousand_tapes() -> None:
+    _judge(2000, 61)
