@@ -12,8 +12,11 @@ from tapes.errors import called
 
 @click.command(cls=Command)
 @click.option("--tape", type=Source(), help="Open it with this EIA tape at the Hydra-Point.")
+@click.option(
+    "--url", default="", help="The page's public address, with which the links that it gives begin."
+)
 @output(Target("HTML"), "PAGE", "pdp8.html", "The page.", show_default=True)
-def workbench(tape: str | None, output: str) -> None:
+def workbench(tape: str | None, url: str, output: str) -> None:
     """Write the workbench: a live PDP-8/L with Teletype, assembler, debugger and Hydra-Point, in one page.
 
     The page needs no network and nothing beside it: a browser opens it from disk. With --tape it shows the
@@ -24,8 +27,9 @@ def workbench(tape: str | None, output: str) -> None:
       pdp8 workbench
       pdp8 workbench -o lesson.html
       pdp8 workbench --tape circle.eia -o circle.html
+      pdp8 workbench --url https://example.org/pdp8.html
     """
     from pdp8.web.workbench import page
 
     view = (basename(called(tape)), shelf.read(tape)) if tape else None
-    command.put(output, page(view))
+    command.put(output, page(view, url=url))

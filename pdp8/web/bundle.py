@@ -39,6 +39,11 @@ def source(name: str) -> str:
     return files(__package__).joinpath(name).read_text(encoding="utf-8")
 
 
+def included(name: str) -> str:
+    """Return the text of an HTML file with those that it includes."""
+    return _INCLUDED.sub(lambda part: source(part[1]).rstrip(), source(name))
+
+
 def module(name: str) -> str:
     """Return a module, by its path from the house, such as pdp8/web/workbench or pal/isa."""
     python = translator.translated().get(name.replace("/", "."))
@@ -126,7 +131,7 @@ def page(
     """
     code, later = scripts(entry)
     start = source("start.js")
-    whole = _INCLUDED.sub(lambda part: source(part[1]).rstrip(), source(body))
+    whole = included(body)
     parts = {
         "title": title,
         "kind": kind,

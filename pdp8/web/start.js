@@ -1,7 +1,34 @@
 
 // Unpacks the page's scripts and data: compressed they are a third as large. The first script is run at once, the
 // second when it is wanted.
+//
+// What fails is said in a bar at the foot of the page, with a way on: a script's error, at any time; what this browser has not.
 globalThis.pack = (() => {
+  const stumble = (words) => {
+    const place = document.getElementById("stumbled") ?? document.body.appendChild(document.createElement("p"));
+    const link = Object.assign(document.createElement("a"), { href: "", textContent: "Load the page again" });
+    Object.assign(place, { id: "stumbled" }).replaceChildren(words, " ", link);
+    place.setAttribute("role", "alert");
+    const needs = document.getElementById("needs");
+    if (needs) needs.hidden = true;
+  };
+  addEventListener("error", ({ error, message }) => error && stumble(`This page has stumbled: ${message}. What you wrote is kept.`));
+  addEventListener("unhandledrejection", ({ reason }) => stumble(`This page has stumbled: ${reason?.message ?? reason}. What you wrote is kept.`));
+  const has = { // what came last to browsers
+    "DecompressionStream": () => new DecompressionStream("deflate-raw"), "OffscreenCanvas": () => new OffscreenCanvas(1, 1).getContext("2d").roundRect,
+    "Map.groupBy": () => Map.groupBy, ":has() in its styles": () => CSS.supports("selector(:has(a))"),
+  };
+  const lacks = Object.keys(has).filter((name) => {
+    try {
+      return !has[name]();
+    } catch {
+      return true;
+    }
+  });
+  const styled = getComputedStyle(document.body).getPropertyValue("--high");
+  if (lacks.length) stumble(`This browser has no ${lacks.join(", no ")}: the machine needs Firefox 121, Chrome 117, Safari 17.4, or a later one.`);
+  else if (!styled) stumble("The server of this page forbids its style (Content-Security-Policy): save the page, and open the file.");
+  if (lacks.length || !styled) return null;
   const policy = globalThis.trustedTypes?.createPolicy("start", { createScript: (text) => text });
   const bytes = (packed) => {
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(packed);

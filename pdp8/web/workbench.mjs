@@ -13,7 +13,7 @@ import { Afternoon } from "./bench/afternoon.mjs";
 import { rest, RESTS } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
-import { Shelf } from "./bench/shelf.mjs";
+import { codeOf, Shelf } from "./bench/shelf.mjs";
 import { wire } from "./bench/wiring.mjs";
 import { one_of_each } from "../computer/hardware/devices.mjs";
 import { Machine } from "../computer/machine.mjs";
@@ -22,12 +22,13 @@ import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
+import { html, ours, put } from "./html.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
-import { find, grouped, octal } from "./written.mjs";
+import { DESK, find, grouped, octal, readdress } from "./written.mjs";
 
 const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
@@ -40,6 +41,7 @@ class Bench {
     this.machine = new Machine(one_of_each());
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
+    this.shared = ""; // what a link was asked for, as a file
     this.texts = null; // the bundled tapes as a state has them, once they are asked for
     this.until = new Goal();
     this.remember();
@@ -163,7 +165,7 @@ class Bench {
 
   /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
   tell(words, seen = false) {
-    this.writer.text(find("said"), words);
+    this.writer.html(find("said"), html`${words}`);
     find("said").classList.toggle("spoken", !seen);
   }
 
@@ -198,13 +200,14 @@ class Bench {
     try {
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
-      else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
+      else if (text.startsWith("{")) this.#written(name, parsed(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
     } catch (error) {
-      this.say(String(error.message ?? error));
+      const said = String(error.message ?? error);
+      this.say(said.startsWith(name) ? said : `${name}: ${said}`);
     }
   }
 
@@ -233,6 +236,7 @@ class Bench {
   #standing(machine) {
     this.afternoon.takeOver();
     this.adopt(machine, true);
+    this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
     this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");
   }
@@ -277,30 +281,42 @@ class Bench {
     const state = JSON.parse(save(this.machine));
     const { format, version } = state;
     const machine = shortened(state, JSON.parse(save(new Machine(one_of_each()))), this.#bundled());
-    const session = { program: { name, text }, machine: { format, version, ...machine } };
-    const link = await linked(session);
-    if (link.length <= LONGEST) return this.give(link);
-    this.download("session.json", JSON.stringify(session));
+    this.shared = JSON.stringify({ program: { name, text }, machine: { format, version, ...machine } });
+    const link = await linked(JSON.parse(this.shared), "");
+    if (link.length <= LONGEST) return this.give(link, true);
+    this.hand();
     return this.say(`a link would have ${grouped(link.length)} characters, and ${grouped(LONGEST)} are allowed: here is a file instead`);
   }
 
-  /** Give the link that was asked for. */
-  async give(link) {
-    history.replaceState(null, "", link);
+  /** Give the program and the machine as a file. */
+  hand() {
+    this.download("session.json", this.shared);
+  }
+
+  /** Give the link with that end; where the page is a file nobody else can open it, so a file is offered, if one could be. */
+  async give(end, file = false) {
+    readdress(end);
+    const { record: { url } } = this;
+    const only = !url && location.protocol === "file:";
+    let said = "The link is copied";
     try {
-      await navigator.clipboard.writeText(link);
-      this.tell("The link is copied.", true);
+      await navigator.clipboard.writeText(url ? url + end : location.href);
     } catch {
-      this.tell("The address of this page is the link now.", true);
+      said = url ? `The link: ${url}${end}` : "The address of this page is the link now";
     }
+    const offer = file ? html` <button class="text" data-click="hand">Save the program as a file</button> <small>Others drop it on their page.</small>` : "";
+    this.tell(only ? html`${said}, but it leads to a file on this computer.${offer}` : `${said}.`, true);
   }
 
   /** Open what a link or a file of a session holds. */
   #open({ program, machine, exercise, until, part }) {
     if (typeof exercise === "string") this.exercises.open(exercise);
     else if (exercise) this.exercises.take(exercise.name, exercise.tables);
-    if (exercise) this.tabs.open("exercises");
-    else if (program) this.tabs.open("program");
+    if (exercise) {
+      this.tabs.open("exercises");
+      const pane = find("exercises");
+      requestAnimationFrame(() => pane.getBoundingClientRect().top > document.documentElement.clientHeight / 2 && pane.scrollIntoView());
+    } else if (program) this.tabs.open("program");
     if (program) this.editor.put(String(program.name), String(program.text));
     if (part) {
       this.tabs.open("parts");
@@ -319,7 +335,7 @@ class Bench {
   async open() {
     const { room } = this;
     if (room.open) {
-      room.enter(this.record.opens);
+      room.enter(this.afternoon.asked);
       await idle();
     }
     const { lay } = await import("./bench/desk.mjs");
@@ -329,8 +345,11 @@ class Bench {
     if (this.programs.names().length) this.editor.begin();
     else this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.session.open();
-    if (!this.afternoon.asked()) await this.#asked();
+    if (room.open) room.show(); // it is where the address says already
+    else if (this.afternoon.asked !== null) this.afternoon.go(this.afternoon.asked);
+    else await this.#asked();
     this.ready = true;
+    addEventListener("hashchange", () => this.#went());
     this.show();
   }
 
@@ -339,13 +358,21 @@ class Bench {
       const shared = await opened();
       if (shared) this.#open(shared);
     } catch (error) {
-      history.replaceState(null, "", location.href.replace(/#.*/, ""));
+      readdress("");
       this.say(`the link cannot be opened: ${error.message ?? error}`);
       return;
     }
     if (this.record.view) this.mill.cut(this.record.view);
     else if (document.body.classList.contains("embed")) this.#embedded();
-    else if (!location.hash && !this.room.open) this.room.enter(this.record.opens);
+  }
+
+  /** The address is another one: one has gone back or forward, or to an instant. */
+  #went() {
+    const { afternoon, afternoon: { asked }, room } = this;
+    if (location.hash.startsWith(DESK)) {
+      if (room.open) room.leave();
+      if (asked !== null) afternoon.go(asked);
+    } else if (asked !== null || !location.hash) room.enter(asked);
   }
 
   /** Some panes alone: an afternoon plays on them. */
@@ -355,7 +382,7 @@ class Bench {
 
   /** Go from the desk into the room. */
   enter() {
-    history.replaceState(null, "", location.href.replace(/#.*/, ""));
+    readdress("", true);
     this.room.enter();
     find("take").focus();
   }
@@ -366,7 +393,16 @@ class Bench {
     this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.editor.run();
     this.editor.enter();
-    find("paper").scrollIntoView({ block: "nearest" });
+    for (const place of [find("paper"), find("gutter")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
+  }
+}
+
+/** What a text in JSON says. Throws where it is damaged. */
+function parsed(text) {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error("damaged or cut short: it begins as JSON, and is none", { cause: error });
   }
 }
 
@@ -376,8 +412,21 @@ function idle() {
   return new Promise((done) => (ask ? ask(done, { timeout: 100 }) : setTimeout(done)));
 }
 
+/** Put the page into its place, in the room or, if its address asks for something else, at the desk. */
+function furnish(record) {
+  const { hash, search } = location, { body, head } = document;
+  const page = document.createElement("template");
+  put(page, ours(record.html));
+  page.content.getElementById("room").hidden = !body.classList.contains("room") || !/^(#t=.*)?$/.test(hash) || /[?&]embed=(?!room)/.test(search);
+  body.classList.toggle("afternoon", hash.startsWith(`${DESK}&t=`)); // nothing moves when its bar comes
+  head.append(Object.assign(document.createElement("style"), { textContent: record.style }));
+  body.prepend(page.content);
+}
+
 async function start() {
-  const bench = new Bench(await pack.record);
+  const record = await pack.record;
+  furnish(record);
+  const bench = new Bench(record);
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;
   bench.opening = bench.open();

@@ -1,10 +1,15 @@
 """The one page: the whole machine live, every bundled tape at hand, and the afternoon that plays on it.
 
-record (JSON), made or kept: room, desk    ┐
-our Python, bench/ room/ workbench.mjs     ├──► one HTML file with everything inside
-base.css workbench.css desk.css room.css   ┘
+first.html: a picture, a sentence, what is needed    ┐
+record (JSON), made or kept: room, desk              │
+bench.html and its parts, desk.css, room.css         ├──► one HTML file with everything inside
+our Python, bench/ room/ workbench.mjs               ┘
+
+Without its script the page is first.html alone: the rest is compressed with the data, and the script puts it
+into the page. So there is never a control that nothing answers.
 """
 
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 from pdp8.web import bundle
@@ -13,19 +18,22 @@ from pdp8.web.kept import house, kept
 if TYPE_CHECKING:
     from pdp8.replay import Afternoon
 
+_FIRST = ("room/first.css",)
 _STYLES = ("workbench.css", "bench/desk.css", "room/room.css")
 _DESK = ("exercises", "figures", "graph", "parts")
 """What of the record the desk alone has."""
 
 
-def page(view: tuple[str, bytes] | None = None, afternoon: "Afternoon | None" = None) -> str:
+def page(view: tuple[str, bytes] | None = None, afternoon: "Afternoon | None" = None, url: str = "") -> str:
     """Return the whole page; with `view`, the name and frames of an EIA tape, opened at the Hydra-Point; with
-    an `afternoon`, opened at that.
+    an `afternoon`, opened at that. The links that it gives begin with `url`, if that is not empty.
     """
-    first = record(view, afternoon)
+    first = record(view, afternoon) | {"url": url}
     more = {name: first.pop(name) for name in _DESK}
+    first |= {"html": bundle.included("bench.html"), "style": "".join(map(bundle.source, _STYLES))}
     kind = "" if view else "room"
-    return bundle.page("PDP-8/L workbench", "bench.html", _STYLES, "workbench", first, more, kind)
+    html = bundle.page("PDP-8/L workbench", "room/first.html", _FIRST, "workbench", first, more, kind)
+    return html.replace("<!-- story -->", escape(first["afternoon"]["story"][0][1]))
 
 
 def record(view: tuple[str, bytes] | None = None, afternoon: "Afternoon | None" = None) -> dict[str, Any]:

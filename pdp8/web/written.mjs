@@ -6,6 +6,14 @@ import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
  * @returns {any} */
 export const find = (id) => document.getElementById(id);
 
+/** In the address: the page opens at the desk. Behind it, as without it in the room, #t=SECONDS is an instant of the afternoon. */
+export const DESK = "#workbench";
+
+/** Let the address of the page have another end, without going there; `push` is whether one comes back by the browser's own key. */
+export function readdress(end, push = false) {
+  history[push ? "pushState" : "replaceState"](null, "", location.href.replace(/#.*/, "") + end);
+}
+
 export function octal(value, digits = 4) {
   return value.toString(8).padStart(digits, "0");
 }

@@ -12,7 +12,7 @@ import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signa
 import { dict } from "../translator/runtime.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { html } from "../html.mjs";
-import { find } from "../written.mjs";
+import { DESK, find, readdress } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
@@ -32,19 +32,17 @@ export class Afternoon {
     this.on = this.playing = false;
     this.position = 0;
     this.way = html``;
-    addEventListener("hashchange", () => this.asked());
   }
 
-  /** Go to the instant that the address names, #t=SECONDS; return whether it names one. */
-  asked() {
-    const named = /^#t=(\d+(?:\.\d+)?)$/.exec(location.hash);
-    if (named && location.hash !== this.address) this.go(Number(named[1]) * SECOND);
-    return Boolean(named);
+  /** The instant that the address names, in ticks; null if it names none. */
+  get asked() {
+    const named = /^#(?:workbench&)?t=(\d+(?:\.\d+)?)$/.exec(location.hash);
+    return named && Number(named[1]) * SECOND;
   }
 
   /** Give the address of this instant. */
   link() {
-    this.bench.give(`${location.href.replace(/#.*/, "")}#t=${this.script.now / SECOND}`);
+    this.bench.give(`${DESK}&t=${this.script.now / SECOND}`);
   }
 
   /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
@@ -131,8 +129,7 @@ export class Afternoon {
     this.on = this.playing = false;
     this.bench.adopt(machine, stops);
     this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(this.script.now)}</button>`;
-    this.address = null;
-    if (location.hash.startsWith("#t=")) history.replaceState(null, "", location.href.replace(/#.*/, ""));
+    if (this.asked !== null) readdress(DESK);
     document.body.classList.remove("afternoon");
   }
 
@@ -162,8 +159,7 @@ export class Afternoon {
       if (!this.on) return;
       const { now, act } = this.script;
       this.bench.tell(`${clock(now)}, ${act.name}. ${this.bench.switches.panel.words}`);
-      this.address = `#t=${now / SECOND}`;
-      history.replaceState(null, "", this.address);
+      readdress(`${DESK}&t=${now / SECOND}`);
     }, 150);
   }
 

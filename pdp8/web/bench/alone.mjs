@@ -1,8 +1,11 @@
 // Where the page is a part of something: some panes alone, in a frame of another page, by ?embed=PANE,PANE; a screen that
 // nobody attends, where with ?rest=SECONDS it begins afresh when it was not touched for so long.
 
+const LEAST = 10; // seconds: in less nobody has done anything
+
+const seconds = Number(new URLSearchParams(globalThis.location?.search).get("rest"));
 /** The seconds after which it begins afresh; 0 where somebody attends. Nothing is kept from one visitor to the next. */
-export const RESTS = Math.max(0, Number(new URLSearchParams(globalThis.location?.search).get("rest"))) || 0;
+export const RESTS = seconds > 0 ? Math.max(LEAST, seconds) : 0;
 
 /** Show the panes that the address asks for, with the time bar; all, where it asks for none that is there. */
 export function embed(tabs) {

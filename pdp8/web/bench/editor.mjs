@@ -17,6 +17,7 @@ import { Counts } from "./counts.mjs";
 import { keep, kept } from "./store.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
+const SHORT = 2000; // characters that a browser pastes by itself
 const WIDEST = 400; // of a line that is drawn
 const TALL = 24; // pixels of a line; desk.css says it too
 const PAUSE = 250; // ms without a key, and what was typed is looked at
@@ -39,11 +40,27 @@ export class Editor {
     this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
     this.area.addEventListener("scroll", () => this.#draw());
     this.area.addEventListener("keydown", (event) => this.#key(event));
+    this.area.addEventListener("paste", (event) => this.#paste(event));
     this.area.addEventListener("pointerdown", () => this.#write(true));
     this.area.addEventListener("blur", () => this.#write(false));
     new ResizeObserver(() => this.#draw()).observe(this.area);
-    addEventListener("beforeprint", () => put(find("printed"), html`<h2>${this.name}</h2><pre>${assembled(this.name, this.text).listing}</pre>`));
+    addEventListener("beforeprint", () => bench.room.open || put(find("printed"), html`<h2>${this.name}</h2><pre>${assembled(this.name, this.text).listing}</pre>`));
     addEventListener("afterprint", () => put(find("printed"), ""));
+  }
+
+  /** Put in a long text at once: a browser that does it by itself takes a second for each hundred lines. */
+  #paste(event) {
+    const { area, area: { selectionStart: from, selectionEnd: until, value }, bench } = this;
+    const text = event.clipboardData.getData("text/plain").replaceAll("\r\n", "\n");
+    if (text.length < SHORT) return;
+    event.preventDefault();
+    try {
+      bounded(value.slice(0, from) + text + value.slice(until));
+      area.setRangeText(text, from, until, "end");
+      this.changed();
+    } catch (error) {
+      bench.say(error.message);
+    }
   }
 
   get text() {
@@ -254,12 +271,18 @@ export class Editor {
   /** Draw the lines that are seen. */
   #draw() {
     if (!this.lines) return;
-    const { scrollTop, scrollLeft, clientHeight } = this.area;
+    const { scrollTop, scrollLeft, clientHeight, clientWidth } = this.area;
     const first = Math.floor(scrollTop / TALL);
     const seen = this.lines.slice(first, first + Math.ceil(clientHeight / TALL) + 1);
     const down = first * TALL - scrollTop;
     put(this.behind, seen.flatMap((line, index) => [index ? "\n" : "", coloured(line, this.wrong.get(first + index + 1))]));
     this.behind.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
+    const { right } = this.area.getBoundingClientRect();
+    for (const said of this.behind.querySelectorAll("em")) { // what has no space behind its line is said below it
+      if (said.getBoundingClientRect().right < right) continue;
+      said.className = "below";
+      Object.assign(said.style, { left: `${scrollLeft + 8}px`, maxWidth: `${clientWidth - 16}px` });
+    }
     put(find("gutter"), html`<div style="transform: translateY(${down}px)">${seen.map((_, index) => this.#beside(first + index + 1))}</div>`);
   }
 

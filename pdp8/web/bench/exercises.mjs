@@ -158,7 +158,6 @@ export class Exercises {
 
   async link() {
     const { name, bench } = this;
-    const whole = location.href.replace(/#.*/, "");
-    bench.give(Object.hasOwn(bench.record.exercises, name) ? `${whole}#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }));
+    bench.give(Object.hasOwn(bench.record.exercises, name) ? `#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }, ""));
   }
 }

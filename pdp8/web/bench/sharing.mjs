@@ -18,8 +18,8 @@ export async function opened() {
   }
 }
 
-/** The address of this page, or of another, with `shared` in it. */
-export async function linked(shared, page = location.href.replace(/#.*/, "")) {
+/** The address of a page with `shared` in it. */
+export async function linked(shared, page) {
   const text = await packed(shared);
   return `${page}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }

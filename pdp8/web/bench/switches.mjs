@@ -15,7 +15,10 @@ export class Switches {
     this.bench = bench;
     this.panel = new Panel(find("computer"));
     this.card = new Card(bench);
-    for (const place of [find("computer"), find("room")]) place.addEventListener("keydown", (event) => this.#key(place, event));
+    document.addEventListener("keydown", (event) => {
+      const place = bench.room.open ? find("room") : find("computer");
+      if (bench.room.open ? !event.target.matches("input") : place.contains(event.target)) this.#key(place, event);
+    });
   }
 
   show(samples) {
@@ -44,6 +47,7 @@ export class Switches {
       panel[method] = !panel[method];
     } else if (this.card.allows(method)) panel[method]();
     else return;
+    this.bench.room.answer(name);
     if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
     this.bench.touched();
   }

@@ -204,7 +204,7 @@ export class Teletype {
 
   #tape(which, view, loaded) {
     const count = `${grouped(view.frames.length)}${view.punching ? " frames" : ""}`;
-    const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`;
+    const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`.trim();
     this.bench.writer.text(find(which).querySelector(".name"), loaded ? caption : "no tape");
     const frame = view.frames[view.head];
     const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${view.code.caption(frame)}`;

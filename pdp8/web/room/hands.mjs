@@ -34,6 +34,13 @@ export class Hands {
     });
   }
 
+  /** Mark what is to be touched: bits of the register, or a key. */
+  due(due) {
+    this.buttons.forEach((button, index) => {
+      button.ariaCurrent = (button.dataset.key ? button.dataset.key === due : due & (0o4000 >> index)) ? "step" : null;
+    });
+  }
+
   /** Say how the switches stand. */
   mark({ sr, mem_prot: protection, sing_step: step }) {
     const set = `${sr} ${protection} ${step}`;

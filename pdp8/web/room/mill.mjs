@@ -1,5 +1,6 @@
 // The Hydra-Point, 19 by 12 inches: the table with the plate slides under the spindle, which stands still.
 
+import { inches } from "../written.mjs";
 import { box, shade, words } from "./ink.mjs";
 
 export const MILL = { w: 19, h: 12 };
@@ -23,15 +24,17 @@ export function lay(c, fit, place, tilt) {
   c.translate(-place.x, -place.y);
 }
 
-/** The table under the plate, with its slots, and the plate's edge. Places are those on the plate. */
-export function drawTable(c, { left, right, bottom, top }) {
+/** The table under the plate, with its slots, and the plate's edge; `above` is how far it is seen from above, 0 to 1.
+ *  Places are those on the plate.
+ */
+export function drawTable(c, { left, right, bottom, top }, above) {
   const [w, h] = [right - left, top - bottom];
-  slab(c, left - 3 * w, bottom - h * 0.32, 7 * w, h * 1.64, w * 0.03, "#33393c", "#15191b");
+  slab(c, left - 3 * w, bottom - h * 0.32, 7 * w, h * 1.64, w * 0.03 * (1 - above), "#33393c", "#15191b");
   c.fillStyle = "rgba(0,0,0,.45)";
   for (const part of [-0.2, 0.5, 1.2]) c.fillRect(left - 3 * w, bottom + h * part - h * 0.02, 7 * w, h * 0.04);
   c.fillStyle = "rgba(0,0,0,.24)";
   for (const far of [0.02, 0.035, 0.05]) c.fillRect(left + w * far, bottom - h * (0.06 + far), w, h);
-  slab(c, left, bottom, w, h, w * 0.055, "#9aa3a6", "#5c6568");
+  slab(c, left, bottom, w, h, w * 0.055 * (1 - above), "#9aa3a6", "#5c6568");
   c.fillStyle = "rgba(255,255,255,.5)";
   c.fillRect(left, bottom, w, h * 0.008);
 }
@@ -41,6 +44,65 @@ function slab(c, x, y, w, h, thick, colour, edge) {
   c.fillRect(x, y - thick, w, thick + 1);
   c.fillStyle = colour;
   c.fillRect(x, y, w, h);
+}
+
+const IDEAL = "#ffb43b", INK = "#2b2620";
+
+/** The ideal curve over what was milled, called `name`, and a ruler in inches below it and at its left, to eighths. */
+export function drawMeasured(c, ideal, name) {
+  const [xs, ys] = [0, 1].map((axis) => ideal.map((point) => point[axis]));
+  const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const [width, height, x, y] = [right - left, top - bottom, (left + right) / 2, (bottom + top) / 2];
+  const size = Math.max(width, height) / 24; // of the letters
+  const label = (text, lx, ly, colour, larger = 1) => {
+    c.save();
+    c.translate(lx, ly);
+    c.scale(size, -size);
+    words(c, text, 0, 0, larger, { align: "center", colour, weight: 600, spread: 0 });
+    c.restore();
+  };
+  Object.assign(c, { strokeStyle: IDEAL, lineWidth: size / 10, lineJoin: "round" });
+  c.beginPath();
+  for (const [px, py] of ideal) c.lineTo(px, py);
+  c.stroke();
+  label(`the ideal ${name}`, x, y + size * 0.6, "#8a4b00", 1.3);
+  label(`${inches(width)} by ${inches(height)} inches`, x, y - size * 1.3, "#33383a");
+  for (const [long, turned] of /** @type {[number, boolean][]} */ ([[width, false], [height, true]])) {
+    c.save();
+    c.translate(left - (turned ? size * 4.6 : 0), bottom - (turned ? 0 : size * 4.6));
+    c.fillStyle = "#d9d3c2";
+    c.fillRect(0, 0, turned ? size * 2 : long + size, turned ? long + size : size * 2);
+    c.fillStyle = INK;
+    for (let at = 0; at <= long; at += 125) {
+      const mark = size * (at % 1000 ? (at % 500 ? 0.4 : 0.6) : 0.9);
+      c.fillRect(turned ? size * 2 - mark : at - 3, turned ? at - 3 : size * 2 - mark, turned ? mark : 6, turned ? 6 : mark);
+      if (at % 1000 === 0) label(String(at / 1000), turned ? size * 0.55 : at + (at ? 0 : size * 0.4), turned ? at - (at ? size * 0.35 : 0) : size * 0.25, INK);
+    }
+    c.restore();
+  }
+}
+
+/** A cutter of `radius` inches from above, down or up, turned so many times. */
+export function drawCutter(c, radius, down, turns) {
+  const { x, y } = CENTRE;
+  c.save();
+  c.translate(x, y);
+  c.fillStyle = "rgba(0,0,0,.35)";
+  const far = radius * (down ? 0.15 : 0.5);
+  disc(c, far, far, radius * 1.1);
+  c.rotate(turns * 2 * Math.PI);
+  c.fillStyle = shade(c, 0, 1, ["#e9eeee", "#7b8487", "#2c3133"], [-radius, -radius, radius, radius]);
+  disc(c, 0, 0, radius);
+  c.fillStyle = "rgba(20,24,26,.75)";
+  c.fillRect(-radius, -radius / 10, 2 * radius, radius / 5);
+  c.fillRect(-radius / 10, -radius, radius / 5, 2 * radius);
+  c.restore();
+}
+
+function disc(c, x, y, radius) {
+  c.beginPath();
+  c.arc(x, y, radius, 0, 7);
+  c.fill();
 }
 
 /** The far end of the light. */

@@ -36,7 +36,8 @@ export const SWITCHES = [
   ...KEYS.map((_, index) => ({ x: key(index), y: 6.15, w: 0.8, h: HIGH })),
 ];
 
-/** The panel as it is shown: whole, or, where it is too narrow for that, its right part below its left one.
+/** The panel as it is shown: whole, or, where it is too narrow for that, its right part below its left one; where little is to
+ *  be had, without the lamps that say least.
  *  A piece is what is seen of it, { x, y, w, h }, and where, { dx, dy }; `w` and `h` are the size of all of it.
  */
 export const WHOLE = { w: PANEL.w, h: PANEL.h, pieces: [{ x: 0, y: 0, ...PANEL, dx: 0, dy: 0 }] };
@@ -48,6 +49,31 @@ export const APART = {
     { x: 1.2, y: 1.6, w: 1.1, h: 4, dx: 0.5, dy: 6.95 },
   ],
 };
+
+const LITTLE = {
+  w: 8.95, h: 9.7,
+  pieces: [
+    { x: 2.3, y: 1.6, w: 8.95, h: 6.8, dx: 0, dy: 0 },
+    { x: 11.75, y: 6, w: 7.1, h: 2.4, dx: 0.92, dy: 7.3 },
+    { x: 15.4, y: 4.56, w: 2.2, h: 0.52, dx: 3.4, dy: 6.8 },
+  ],
+};
+/** @type {[{ w: number, h: number, pieces: any[] }, number][]} */
+const FORMS = [[WHOLE, 1.1], [APART, 1.1], [LITTLE, 1]]; // and how much each is liked
+
+const TOUCHED = 24.2 / 0.68; // pixels of an inch, so that a finger hits a switch
+
+/** How high the panel has to be in that form, where so much is wide. */
+export const least = (form, w) => form.h * Math.min(TOUCHED, w / form.w);
+
+/** How the panel is shown in a frame: as large as may be, and with little to scroll. */
+export function formed({ w, h }) {
+  const worth = ([form, liked]) => {
+    const high = Math.max(h, least(form, w));
+    return liked * Math.min(w / form.w, high / form.h) * Math.sqrt(h / high);
+  };
+  return FORMS.reduce((best, each) => (worth(each) > worth(best) ? each : best))[0];
+}
 
 /** Let `draw` draw the panel as it is `shown`, piece by piece. */
 export function inPieces(c, shown, draw) {

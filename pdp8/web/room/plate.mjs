@@ -13,14 +13,15 @@ const WALL = ["#1b2123", "#262e31", "#333c40", "#434d51", "#555f63"];
 const FINE = 6; // thousandths: a shorter way is not worth drawing
 
 export class Plate {
-  /** The plate that is milled along `knots` by a cutter of that diameter, of `bounds`, so many pixels wide; seen from before and
-   *  above, or, with a `depth` of 0, from above.
+  /** The plate that is milled along `knots` by a cutter of that diameter, of `bounds`, so many pixels wide; seen from `before`,
+   *  or from above.
    */
-  constructor(knots, diameter, bounds, pixels, depth = DEPTH) {
+  constructor(knots, diameter, bounds, pixels, before) {
     this.knots = knots;
     this.diameter = diameter;
     this.bounds = bounds;
-    this.depth = depth;
+    this.before = before;
+    this.depth = before ? DEPTH : 0;
     this.sharp = pixels / (bounds.right - bounds.left);
     this.rim = this.#canvas();
     this.inside = this.#canvas();

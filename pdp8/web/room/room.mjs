@@ -9,21 +9,25 @@ import { clock, Kind } from "../../replay/day.mjs";
 import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
+import { sent } from "../../computer/use/keys.mjs";
 import { bounds } from "../bench/path.mjs";
 import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
 import { codeOf } from "../bench/shelf.mjs";
 import { keyed } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
-import { find, grouped } from "../written.mjs";
+import { inWords } from "../panel.mjs";
+import { DESK, find, grouped, readdress } from "../written.mjs";
 import { Camera } from "./camera.mjs";
+import { Guide } from "./guide.mjs";
 import { Hands } from "./hands.mjs";
-import { drawDusk, drawSpindle, drawTable, fitted, lay, TILT } from "./mill.mjs";
-import { APART, drawLamps, Filaments, WHOLE } from "./panel.mjs";
+import { keepsake } from "./keepsake.mjs";
+import { drawCutter, drawDusk, drawMeasured, drawSpindle, drawTable, fitted, lay, TILT } from "./mill.mjs";
+import { drawLamps, Filaments, formed, least, WHOLE } from "./panel.mjs";
 import { Plate } from "./plate.mjs";
 import { Scene } from "./scene.mjs";
 import { drawTape } from "./tape.mjs";
 import { drawHeads, drawSign, Page, TAPES } from "./teletype.mjs";
-import { atThePanel, places, Tour } from "./tour.mjs";
+import { atThePanel, atTheTape, places, Tour } from "./tour.mjs";
 import { Wall } from "./wall.mjs";
 
 const EACH = 1 / 32, HURRIED = 1 / 20; // seconds between two steps of the machine: camera and tapes glide between them
@@ -34,9 +38,6 @@ const [COARSE, LEAST] = [0.6, 0.75]; // part of the pixels, across and up, that 
 const SAID = 0.12; // seconds in which what is read does not change
 const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
-const LITTLE = 400; // pixels: where no more is high the panel is seen without its frame
-const DESK = "#workbench"; // in the address: the page opens at the desk
-const TAKEN = "The switches are yours. Set an address, press LOAD ADD: the lamps show that word of memory.";
 
 export class Room {
   constructor(bench) {
@@ -45,13 +46,16 @@ export class Room {
     this.scene = new Scene(this.place.querySelector("canvas"));
     this.camera = new Camera();
     this.filaments = new Filaments();
+    this.guide = new Guide();
     this.page = new Page();
     this.still = matchMedia("(prefers-reduced-motion: reduce)").matches; // nothing shall move
     this.at = { reader: 0, punch: 0 };
     this.moved = { struck: 0, fed: 0, turns: 0 };
     this.samples = null;
     this.work = this.milled = null;
-    this.own = null; // the machine that somebody had worked at before
+    this.own = null; // the machine that somebody has worked at
+    this.typing = false; // whether the visitor types, and looks at punch and paper
+    this.mine = ""; // what he has typed
     this.live = this.playing = false;
     this.since = 0;
     this.took = 0; // seconds between pictures, about
@@ -60,6 +64,7 @@ export class Room {
     this.typed = 0;
     document.addEventListener("keydown", (event) => this.#key(event));
     new ResizeObserver(() => this.#resize()).observe(this.place);
+    new ResizeObserver(() => this.#measure()).observe(this.place.querySelector(".told"));
     document.addEventListener("visibilitychange", () => this.#wake());
   }
 
@@ -67,15 +72,16 @@ export class Room {
     return !this.place.hidden;
   }
 
-  /** Enter the room, and play from an act on. */
-  enter(turn = 0) {
+  /** Enter the room, and play from the beginning; or stand still at an instant of the afternoon, in ticks. */
+  enter(tick = null) {
     const { bench, bench: { afternoon, machine }, place } = this;
     if (!afternoon.on) this.keep(machine);
     place.hidden = false;
     if (!this.tour) this.#furnish();
     this.#resize();
-    this.go({ value: turn });
-    this.playing = !this.still;
+    this.go({ value: 0 });
+    this.playing = !this.still && tick === null;
+    if (tick !== null) this.#at(tick);
     this.#buttons();
     bench.clock.pictures.stop();
   }
@@ -106,8 +112,17 @@ export class Room {
     this.#wake();
   }
 
+  /** Be at an instant, in the act to which it belongs. */
+  #at(tick) {
+    this.tour.at(tick);
+    this.bench.afternoon.lead(tick);
+    this.#tell();
+    this.#wake();
+  }
+
   toggle() {
     this.playing = !this.playing;
+    readdress(this.playing ? "" : `#t=${this.bench.afternoon.script.now / SECOND}`);
     if (this.playing && this.tour.turn + 1 === this.tour.length && this.tour.part === 1) this.go({ value: 1 });
     this.#buttons();
     this.#wake();
@@ -120,32 +135,122 @@ export class Room {
     button.textContent = sound.on ? "Sound on" : "Sound off";
   }
 
-  /** Take the switches, or go back to the story. */
+  /** Take the switches, where one left them if one had, or go back to the story. */
   take() {
-    if (this.live) {
-      this.go({ value: this.tour.turn });
-      return;
-    }
-    this.bench.afternoon.playing = this.playing;
+    const { bench, own, place, tour } = this;
+    if (this.live) return this.go({ value: tour.turn });
+    bench.afternoon.playing = this.playing;
+    bench.touch(() => {});
     this.live = true;
-    this.bench.touch(() => {});
-    this.#tell(TAKEN);
-    this.hands = new Hands(this.place.querySelector(".hand"));
-    this.hands.buttons[0].focus({ preventScroll: true });
+    if (own) bench.adopt(own);
+    const { punch, reader } = bench.machine.teletype;
+    reader.lever(false); // else it would read the story's tape to the visitor's program
+    punch.on = true;
+    this.guide.begin(bench.machine);
+    this.hands = new Hands(place.querySelector(".hand"));
     this.#buttons();
-    this.#wake();
+    this.show();
+    (this.hands.buttons.find(({ ariaCurrent }) => ariaCurrent === "step") ?? this.hands.buttons[0]).focus({ preventScroll: true });
+    return undefined;
+  }
+
+  /** A key was pressed: it is answered by what it did. */
+  answer(key) {
+    if (this.live) this.guide.answer(key, this.bench.machine);
+  }
+
+  /** Say what was done and what comes next, and mark what is to be touched. */
+  #guide() {
+    const { bench, bench: { machine, writer }, guide, hands, place } = this;
+    const { due, say } = guide.next(machine);
+    const { did, state: { made, run, waits } } = guide;
+    writer.text(place.querySelector(".did"), did);
+    writer.text(place.querySelector(".lamps"), run ? "running" : inWords(machine));
+    this.#tell(say);
+    const before = this.due;
+    this.due = due;
+    hands.due(typeof due === "number" ? due ^ machine.processor.sr : due);
+    if (due !== before) {
+      place.querySelector(".told").scrollTop = 0;
+      hands.place.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+    }
+    const begins = waits && !this.waits;
+    if (begins || !waits) this.typing = waits;
+    this.waits = waits;
+    const shown = `${due === undefined} ${waits} ${Boolean(made)} ${this.typing}`;
+    if (shown === this.choice) return;
+    this.choice = shown;
+    find("help").hidden = due === undefined;
+    find("mine").parentElement.hidden = find("turn").hidden = !waits;
+    find("see").hidden = !made;
+    find("turn").textContent = this.typing ? "To the panel" : "To the punch";
+    hands.place.hidden = this.typing;
+    this.#measure();
+    if (!begins) return;
+    find("mine").focus({ preventScroll: true });
+    if (made) return;
+    this.#paper(machine.teletype.printer.frames.length); // what comes is the visitor's alone
+    if (guide.from) bench.teletype.tear({ value: "teletype" });
+  }
+
+  /** Look from the punch at the panel, or back. */
+  turn() {
+    this.typing = !this.typing;
+    this.#guide();
+  }
+
+  /** Do for the visitor what comes next: set the switches, and press the key. */
+  help() {
+    const { bench, due } = this;
+    if (typeof due === "string") return bench.switches.press(due);
+    bench.touch(({ panel }) => (panel.sr = due));
+    this.#guide();
+    return this.due === due ? undefined : this.help();
+  }
+
+  /** The keyboard presses what is added to the field. */
+  type({ value }) {
+    const { bench, mine } = this;
+    this.mine = value;
+    if (value.startsWith(mine)) bench.touch(({ teletype: { keyboard } }) => keyboard.press(sent(value.slice(mine.length).toUpperCase())));
+  }
+
+  /** Show the visitor's tape, as a picture to keep. */
+  async see() {
+    const { guide: { state: { frames, made } } } = this;
+    if (!made) return;
+    const picture = await keepsake(frames, made).convertToBlob();
+    const box = find("tape"), link = box.querySelector("a"), image = box.querySelector("img");
+    if (link.href) URL.revokeObjectURL(link.href);
+    image.src = link.href = URL.createObjectURL(picture);
+    image.alt = `A paper tape with ${frames.length} rows of holes: ${made}`;
+    link.download = `${made.replace(/\W+/g, "-") || "tape"}.png`;
+    box.showModal();
+  }
+
+  about() {
+    find("truth").showModal();
+  }
+
+  /** Show the lamps in words, or leave them to who listens. */
+  speak(button) {
+    button.ariaPressed = String(!this.place.classList.toggle("wordless"));
+    this.#measure();
   }
 
   /** There are no switches to be pressed any more. */
   #letGo() {
-    this.live = false;
+    if (this.live) this.own = this.bench.machine;
+    this.live = this.typing = this.waits = false;
+    this.choice = "";
     this.hands?.place.replaceChildren();
+    for (const name of [".did", ".lamps"]) this.bench.writer.text(this.place.querySelector(name), "");
     this.shown = null;
   }
 
   /** Go to the desk, where a first program is written and runs. */
   program() {
-    this.live = false;
+    this.#letGo();
     this.own ??= new Machine(one_of_each()); // with a page of its own
     this.leave();
     this.bench.first();
@@ -158,14 +263,14 @@ export class Room {
     if (!this.live && this.own) this.bench.afternoon.release(this.own);
     this.#letGo();
     this.bench.sound.hum(0, 0);
-    history.replaceState(null, "", DESK);
+    if (!location.hash.startsWith(DESK)) readdress(DESK, true);
     this.bench.show();
     find("play").focus({ preventScroll: true });
   }
 
   #key(event) {
     const { altKey, ctrlKey, key, metaKey } = event;
-    if (!this.open || event.defaultPrevented) return;
+    if (!this.open || event.defaultPrevented || event.target.matches("input") || this.place.querySelector("dialog[open]")) return;
     if (altKey || ctrlKey || metaKey || (key === " " && event.target.matches("button"))) return;
     const act = { "[": -1, "]": 1 }[key];
     const control = keyed(this.place.querySelector(".told"), event);
@@ -179,13 +284,16 @@ export class Room {
   show(samples) {
     if (!this.open) return;
     this.samples = samples ?? [this.bench.machine.panel.lamps];
+    if (this.live) this.#guide();
     this.#wake();
   }
 
   #buttons() {
+    this.place.querySelector(".yours").hidden = find("speak").hidden = !this.live;
+    find("write").hidden = this.live;
     find("pause").hidden = this.live || this.still;
     find("pause").textContent = this.playing ? "Pause" : "Play";
-    find("take").textContent = this.live ? "Back to the story" : "Take the switches";
+    find("take").textContent = this.live ? "Back to the story" : this.own ? "Go on at the switches" : "Take the switches";
     this.#measure();
   }
 
@@ -251,17 +359,20 @@ export class Room {
     return !this.live && this.bench.afternoon.script.act.kind === Kind.TERMINAL;
   }
 
+  /** Put in paper on which nothing is typed, where so many frames have been printed. */
+  #paper(count) {
+    this.page.clear();
+    this.typed = count;
+    this.first = this.printing;
+  }
+
   /** Type what has been printed. */
   #type(tick) {
     const { bench: { afternoon, machine, sound }, moved, page, printing } = this;
     const { day } = afternoon.script;
     const frames = printing ? day.tapes.get(`${day.part}.asc`) : machine.teletype.printer.frames;
     const count = printing ? Math.floor(afternoon.script.now / FRAME) : frames.length;
-    if (count < this.typed || printing !== this.first) {
-      page.clear();
-      this.typed = printing ? 0 : Math.max(0, count - 2500);
-    }
-    this.first = printing;
+    if (count < this.typed || printing !== this.first) this.#paper(printing ? 0 : Math.max(0, count - 2500));
     for (; this.typed < count; this.typed++) {
       const character = page.take(frames[this.typed]);
       const kind = character === "\x07" ? "bell" : character === "\n" ? "feed" : character > " " ? "print" : "";
@@ -275,23 +386,35 @@ export class Room {
 
   #resize() {
     if (!this.open) return;
-    const { clientWidth: width, clientHeight: height } = this.place;
+    const { clientWidth: width } = this.place;
     const ratio = Math.min(window.devicePixelRatio || 1, width > 2600 ? 1 : width < 700 ? 1.6 : 2);
-    this.tall = width < height;
-    this.scene.resize(width, height, ratio, 1);
+    this.scene.fine = ratio;
     this.coarse = false;
     this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the plate's picture
     this.camera.eye = undefined;
     this.#measure();
   }
 
-  /** The frame in which things are seen: between the time of day and what is told. */
+  /** The frame in which things are seen: between the time of day and what is told, or beside that. Where the switches would be
+   *  too small for a finger they are larger than the window, which scrolls then.
+   */
   #measure() {
-    if (!this.open) return;
-    this.place.classList.toggle("taken", this.live);
-    const top = this.place.querySelector(".when").getBoundingClientRect().bottom;
-    const bottom = this.place.querySelector(this.live && this.tall ? ".story" : ".told").getBoundingClientRect().top;
-    this.frame = { left: 0, top, w: this.place.clientWidth, h: bottom - top };
+    const { live, place, scene, typing } = this;
+    const { clientWidth: width, clientHeight: height } = place;
+    if (!this.open || !scene.fine || !height) return; // nothing is seen of it on paper
+    this.tall = width < height;
+    place.classList.toggle("taken", live);
+    const told = place.querySelector(".told").getBoundingClientRect();
+    const beside = told.left > 0;
+    const top = place.querySelector(".when").getBoundingClientRect().bottom;
+    const [w, bottom] = beside ? [told.left, height] : [width, told.top];
+    const form = live && !typing ? formed({ w, h: bottom - top }) : WHOLE;
+    this.form = form;
+    this.frame = { left: 0, top, w, h: Math.max(bottom - top, live && !typing ? least(form, w) : 0) };
+    const all = Math.max(height, Math.ceil(top + this.frame.h + height - bottom));
+    place.querySelector("canvas").style.height = `${all}px`;
+    place.style.scrollPadding = `${top}px 0 ${height - bottom}px`;
+    scene.resize(width, all, scene.fine, 1);
     this.#wake();
   }
 
@@ -309,12 +432,12 @@ export class Room {
     this.#pass(seconds);
     this.#hurry(seconds);
     this.#type(this.bench.afternoon.script.now);
-    const apart = this.live && this.tall;
-    const box = apart ? { x: 0, y: 0, w: APART.w, h: APART.h } : this.live ? atThePanel(this.frame.h < LITTLE) : this.tour.box(this.tall);
-    this.camera.look(box, this.frame, this.still || this.apart !== apart);
-    this.apart = apart;
+    const { form, tall } = this;
+    const box = this.typing ? atTheTape(tall) : form !== WHOLE ? { x: 0, y: 0, w: form.w, h: form.h } : this.live ? atThePanel(tall) : this.tour.box(tall);
+    this.camera.look(box, this.frame, this.still || this.formed !== form);
+    this.formed = form;
     this.camera.glide(seconds);
-    const goes = this.#draw(seconds, apart) || this.playing || this.camera.moves;
+    const goes = this.#draw(seconds, form) || this.playing || this.camera.moves;
     this.said += seconds;
     if (!goes || this.said > SAID) this.#say();
     if (!goes) return;
@@ -334,7 +457,7 @@ export class Room {
   }
 
   /** Draw the room; return whether something in it still moves of itself. */
-  #draw(seconds, apart) {
+  #draw(seconds, shown) {
     const { bench: { afternoon, machine }, filaments, moved } = this;
     filaments.follow(this.samples ?? [machine.panel.lamps], this.still ? 0 : Math.exp(-seconds / FILAMENT));
     moved.struck *= Math.exp(-seconds / 0.03);
@@ -344,8 +467,7 @@ export class Room {
       teletype: (c) => this.#teletype(c, seconds),
       mill: (c) => this.#mill(c, seconds),
     };
-    const shown = apart ? APART : WHOLE;
-    const where = apart ? { panel: { x: 0, y: 0 } } : places(this.tall);
+    const where = shown === WHOLE ? places(this.tall) : { panel: { x: 0, y: 0 } };
     const lit = (name) => (this.live ? name !== "mill" : this.tour.lights(name));
     const changes = this.scene.draw(this.camera, where, live, lit, seconds, shown);
     if (this.live) this.#overlay(where.panel, shown);
@@ -378,7 +500,7 @@ export class Room {
     const terminal = printing && day.tapes.get(`${day.part}.asc`);
     const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
     this.glides = false;
-    this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? ASCII : this.live ? codeOf(punch.frames) : EIA, seconds);
+    this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? ASCII : this.typing ? ASCII : this.live ? codeOf(punch.frames) : EIA, seconds);
     if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.code ?? BLANK_TAPE, seconds);
     drawHeads(c, reader.on && !terminal);
   }
@@ -411,7 +533,8 @@ export class Room {
     this.bench.sound.hum(this.playing ? 1 : 0, this.playing && cuts ? 1 : 0);
     const measured = !this.live && tour.turn + 1 === tour.length;
     const close = measured && wall ? wall.closeness(tour.part) : 0;
-    const tilt = TILT + (1 - TILT) * Math.min(1, close * 3);
+    const { above } = tour;
+    const tilt = TILT + (1 - TILT) * above;
     const middle = { x: (within.left + within.right) / 2, y: (within.bottom + within.top) / 2 };
     const aim = !measured ? place : wall ? wall.between(middle, close, fit) : middle;
     c.save();
@@ -420,20 +543,24 @@ export class Room {
     c.clip();
     c.save();
     lay(c, measured && wall ? fit * wall.larger(close, fit) : fit, aim, tilt);
-    drawTable(c, within);
-    this.#plate(second >= 0 ? place : null).draw(c, aim);
+    drawTable(c, within, above);
+    this.#plate(second >= 0 ? place : null, above < 0.5).draw(c, aim);
     if (close > 0) wall.draw(c, close);
+    const { band, part } = this.bench.record.afternoon;
+    c.globalAlpha = Math.max(0, 1 - close * 4);
+    if (measured && band) drawMeasured(c, band.nominal, ["circle", "ellipse"].includes(part) ? part : "curve");
     c.restore();
-    if (!measured) drawSpindle(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns, 0);
+    if (!measured && above > 0.5) drawCutter(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns);
+    if (above < 1) drawSpindle(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns, above * above * 9);
     drawDusk(c);
     c.restore();
     if (close > 0) wall.label(c, close);
   }
 
-  /** The plate, as it has been milled. */
-  #plate(place) {
+  /** The plate, as it has been milled: seen from before, or from above. */
+  #plate(place, before) {
     const { diameter, path: { knots }, within } = this.work;
-    this.milled ??= new Plate(knots, diameter, within, this.fine);
+    if (this.milled?.before !== before) this.milled = new Plate(knots, diameter, within, this.fine, before);
     if (place) this.milled.to(place);
     return this.milled;
   }

@@ -9,7 +9,7 @@ const PLACES = {
   wide: { mill: { x: 24, y: 12.05 }, panel: { x: 24, y: 2.4 }, teletype: { x: 0, y: 0 } },
   tall: { mill: { x: 1.5, y: 26.4 }, panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 } },
 };
-const ALL = { wide: { x: -1.4, y: 1.5, w: 45.8, h: 23.2 }, tall: { x: -0.5, y: -0.6, w: 23, h: 25.6 } };
+const ALL = { wide: { x: -1.4, y: 1.5, w: 45.8, h: 23.2 }, tall: { x: -0.5, y: -0.6, w: 23, h: 39.6 } };
 const seen = (of, ...boxes) => ({ of, boxes: boxes.map(([x, y, w, h]) => ({ x, y, w, h })) });
 const PANEL = seen("panel", [-0.6, -0.6, 20.2, 10]);
 const EVERYTHING = { of: "", boxes: [] };
@@ -23,11 +23,12 @@ const ACTS = [
   [8, 3, "panel teletype", [0, seen("teletype", [0.2, 12.4, 8.4, 6.4], [0.4, 11.6, 6.4, 8.4])], [0.5, PANEL]],
   [7, 2, "panel teletype", [0, PANEL], [0.45, EVERYTHING]],
   [17, 8, "panel teletype", [0, seen("teletype", [-0.6, 9.2, 13, 9.2], [0.1, 9, 6.6, 9.8])], [0.48, PANEL], [0.72, EVERYTHING]],
-  [16, 5, "mill", [0, seen("mill", [4.6, 2.6, 9.8, 8], [5, 1.4, 9, 10])], [0.5, seen("mill", [0.4, 0.6, 18.2, 11.2], [4, 0, 11, 12])]],
-  [11, 0, "mill", [0, seen("mill", [3.4, 2.6, 12.2, 8.6], [5.2, 0, 8.6, 12])], [0.82, EVERYTHING]],
+  [16, 5, "mill", [0, seen("mill", [4.6, 2.6, 9.8, 8], [5, 1.4, 9, 10])], [0.5, seen("mill", [0.4, 0.6, 18.2, 11.2], [3, 0, 13, 12])]],
+  [11, 0, "mill", [0, seen("mill", [2.8, 1.9, 13.4, 10.1], [4.2, 1.6, 10.6, 10.4])]],
 ];
 const HURRIES = [3.2, 2.4]; // how steeply an act hurries that was long at its own pace, or short
 const LONG = 5; // seconds
+const [RISES, ABOVE] = [0.3, 0.44]; // parts of the act of cutting: before anything of the curve is cut, the camera rises above the plate
 const PAUSE = 0.4; // seconds between two acts
 const BEFORE = { [Kind.TOGGLE]: 58, [Kind.LOAD]: 24, [Kind.TRANSLATE]: 24 }; // seconds of walking and mounting, passed over
 const NEAR = 3; // seconds before the cutter goes down
@@ -48,6 +49,20 @@ export class Tour {
   go(turn, part = 0) {
     this.turn = turn;
     this.wall = part * ACTS[turn][0];
+  }
+
+  /** Go where a tick is shown; where it is passed over, to what comes next. */
+  at(tick) {
+    const { acts } = this.day;
+    const turn = acts.findIndex(({ ends }) => tick < ends);
+    this.go(turn < 0 ? acts.length : turn + 1, 1);
+    let from = 0, until = this.wall;
+    while (until - from > 1e-6) {
+      this.wall = (from + until) / 2;
+      if (this.tick < tick) from = this.wall;
+      else until = this.wall;
+    }
+    this.wall = until;
   }
 
   /** Let seconds pass; return whether there is more to be seen. */
@@ -89,6 +104,14 @@ export class Tour {
     return starts + (BEFORE[kind] ?? 0) * SECOND;
   }
 
+  /** How far the camera is above the plate, 0 to 1: it stays there. */
+  get above() {
+    const cutting = this.turn - (ACTS.length - 2);
+    if (cutting) return Math.max(0, cutting);
+    const at = Math.max(0, Math.min(1, (this.part - RISES) / (ABOVE - RISES)));
+    return at * at * (3 - 2 * at);
+  }
+
   /** Whether the light falls on a thing. */
   lights(name) {
     return ACTS[this.turn][2].includes(name);
@@ -111,7 +134,10 @@ function framed({ of, boxes }, tall) {
   return { x: x + box.x, y: y + box.y, w: box.w, h: box.h };
 }
 
-const CLOSE = seen("panel", [0.8, 1.2, 18.2, 7.5]);
+/** The panel, as it is seen when it is taken, where there is space for all of it. */
+export const atThePanel = (tall) => framed(PANEL, tall);
 
-/** The panel, as it is seen when it is taken; where little of it can be seen, without its frame. */
-export const atThePanel = (little) => framed(little ? CLOSE : PANEL, false);
+const TAPE = seen("teletype", [0.3, 8.7, 12.4, 5.4], [0.2, 8.4, 10.4, 6]);
+
+/** Punch and paper, while the visitor types. */
+export const atTheTape = (tall) => framed(TAPE, tall);

@@ -29,12 +29,12 @@ def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
 
 
 def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -> None:
-    """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `/`."""
+    """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `*`."""
     monitor = Monitor(lambda line: None, Machine(one_of_each()))
     for line in ("deposit 200 6014 6011 5201 6012 6026 7402", "fast-reader hello.pal", "go 200 1", "wait 1"):
         do(monitor, line)
     do(monitor, f"fast-punch {tmp_path}/x")
-    assert (tmp_path / "x").read_bytes() == b"/"
+    assert (tmp_path / "x").read_bytes() == b"*"
 
 
 def test_a_command_may_be_shortened() -> None:

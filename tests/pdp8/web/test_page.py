@@ -9,7 +9,7 @@ import pytest
 
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from tests.pdp8.web.browsing import Browser, Page, click, until, visit
+from tests.pdp8.web.browsing import DESK, Browser, Page, click, until, visit
 from tests.pdp8.web.follower import Follower, state
 from tests.pdp8.web.node import plain
 
@@ -17,7 +17,7 @@ from tests.pdp8.web.node import plain
 @pytest.fixture
 def page(browser: Browser, circle_page: Path) -> Iterator[Page]:
     """The circle's page on a projector."""
-    start = circle_page.as_uri() + "#t=0"
+    start = circle_page.as_uri() + DESK + "&t=0"
     with visit(
         browser,
         start,
@@ -186,8 +186,8 @@ def test_it_fits_from_a_telephone_to_a_projector(page: Page, circle: Afternoon) 
 def test_the_address_names_the_instant(page: Page) -> None:
     """It follows, and leads to it when it is changed; nonsense does no harm. The panel says its lamps."""
     _go(page, 10**10)
-    page.wait_for_url("**#t=500")
-    for address in ("#t=1000.5", "#t=1.2.3"):
+    page.wait_for_url("**#workbench&t=500")
+    for address in (f"{DESK}&t=1000.5", f"{DESK}&t=1.2.3"):
         page.evaluate("(address) => { location.hash = address; }", address)
         page.wait_for_timeout(50)
         assert _now(page) == 1000.5 * TICKS_PER_SECOND

@@ -1,0 +1,192 @@
+"""The first minutes, by somebody who does what each sentence of the room says, exactly as it stands."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from tests.pdp8.web.browsing import Browser, Page, click, until, visit
+
+_ACTS = range(8)
+_DESK = (1366, 768)
+_SMALL = [(390, 844), (320, 568), (600, 300), (300, 180), (1920, 1080)]
+_PROCESSOR = "workbench.machine.processor"
+_KEYS = ["start", "load add", "dep", "exam", "cont", "stop", "sing step", "mem prot"]
+_SHORT = {"start": "s", "load add": "l", "dep": "d", "exam": "e", "cont": "c", "stop": "t"}
+
+
+def _said(page: Page) -> str:
+    """Return the sentence, which has to be on the screen, whole, and in the accessibility tree."""
+    said = page.locator("#room .story").inner_text()
+    seen = page.evaluate(
+        "() => { const place = document.querySelector('#room .story');"
+        " place.scrollIntoView({ block: 'nearest' });"
+        " const { left, right, top, bottom, width, height } = place.getBoundingClientRect();"
+        " const at = (x, y) => place.contains(document.elementFromPoint(x, y));"
+        " return left >= 0 && right <= innerWidth && top >= 0 && bottom <= innerHeight && width > 0"
+        "   && at(left + 2, top + height / 3) && at(left + 2, bottom - height / 4); }"
+    )
+    assert seen, said
+    assert said in page.locator("#room").aria_snapshot(), said
+    return said
+
+
+def _words(page: Page) -> str:
+    """Return what was said of the last key, and the lamps in words."""
+    return " ".join(page.locator("#room .did, #room .lamps").all_text_contents())
+
+
+def _by_mouse(page: Page, said: str) -> None:
+    if "Flip the ringed switches" in said:
+        ringed = page.locator("#room .rocker[aria-current]")
+        for bit in ringed.evaluate_all("(all) => all.map((each) => each.value)"):
+            page.locator(f'#room .rocker[value="{bit}"]').click()
+    elif key := re.search(r"Press ([A-Z ]+)[.:,]", said):
+        page.locator("#room .key").and_(page.get_by_label(key[1], exact=True)).click()
+    else:
+        raise AssertionError(f"nothing to be done: {said}")
+
+
+def _by_keys(page: Page, said: str) -> None:
+    if word := re.search(r"or type (\d{4})", said):
+        page.keyboard.type(word[1])
+    elif (key := re.search(r"Press ([A-Z ]+)[.:,]", said)) and key[1].lower() in _SHORT:
+        page.keyboard.press(_SHORT[key[1].lower()])
+    else:
+        _by_mouse(page, said)
+
+
+def _helped(page: Page, said: str) -> None:
+    del said
+    page.get_by_role("button", name="Do it for me").click()
+
+
+def _until_it_waits(page: Page, do: Callable[[Page, str], None], most: int) -> None:
+    """Do what is said, until a name is asked for, and look at what was promised."""
+    for _ in range(most):
+        said = _said(page)
+        if "Type your name" in said:
+            return
+        if "RUN is lit" in said:
+            assert page.evaluate(f"{_PROCESSOR}.run") == 1
+        before = page.evaluate(_PROCESSOR + ".core.slice()")
+        do(page, said)
+        page.wait_for_timeout(30)
+        done = _words(page)
+        if "Press STOP" in said:
+            assert "RUN is dark" in done
+            assert page.evaluate(f"{_PROCESSOR}.run") == 0
+        elif "the lamps show the word there" in said:
+            address, word = re.findall(r"memory address (\d{4}), memory buffer (\d{4})", done)[0]
+            assert address in said
+            assert before[int(address, 8)] == int(word, 8)
+        elif put := re.search(r"The switches say (\d{4}). Press DEP: .* at (\d{4})", said):
+            assert page.evaluate(f"{_PROCESSOR}.core[0o{put[2]}]") == int(put[1], 8)
+            assert f"now it holds {put[1]}" in done
+        assert _said(page) != said, (said, done)
+    raise AssertionError("no end")
+
+
+def _name(page: Page) -> None:
+    """Type a name, see it on the tape, and keep the picture."""
+    page.keyboard.type("Ada 1")
+    until(page, "document.querySelector('#room .story').textContent.startsWith('ADA 1: 5 rows')")
+    punched = page.evaluate("[...workbench.machine.teletype.punch.frames]")
+    assert punched == [0o301, 0o304, 0o301, 0o240, 0o261]
+    assert page.evaluate("workbench.room.page.paper.lines.at(-1)") == "ADA 1"
+    assert "Type on, or see your tape" in _said(page)
+    page.get_by_role("button", name="See your tape").click()
+    until(page, "document.querySelector('#tape img').complete && document.querySelector('#tape').open")
+    assert page.get_by_role("img", name="A paper tape with 5 rows of holes: ADA 1").is_visible()
+    with page.expect_download() as picture:
+        page.get_by_role("link", name="Keep the picture").click()
+    assert picture.value.suggested_filename == "ADA-1.png"
+    assert Path(picture.value.path()).read_bytes().startswith(b"\x89PNG")
+    page.get_by_role("button", name="Back to the machine").click()
+
+
+def _walk(page: Page, turn: int, do: Callable[[Page, str], None], most: int = 40) -> None:
+    page.evaluate("(turn) => workbench.room.go({ value: turn })", turn)
+    page.get_by_role("button", name="Take the switches").click()
+    _until_it_waits(page, do, most)
+    _name(page)
+
+
+def test_a_name_in_tape(browser: Browser, file: Path) -> None:
+    """From the running translation, by the mouse."""
+    with visit(browser, file.as_uri(), viewport=dict(zip(("width", "height"), _DESK, strict=True))) as page:
+        _walk(page, 0, _by_mouse)
+
+
+@pytest.mark.slow("the first minute 25 times, 2 min")
+@pytest.mark.parametrize(
+    ("size", "turn", "do"),
+    [
+        *((_DESK, turn, do) for turn in _ACTS for do in (_by_keys, _helped)),
+        *((size, turn, _by_mouse) for size in _SMALL for turn in (1, 5, 7)),
+    ],
+)
+def test_each_act_and_size(
+    browser: Browser, file: Path, size: tuple[int, int], turn: int, do: Callable[[Page, str], None]
+) -> None:
+    """What is said is done in every act, by mouse, by keys, and by the button; in every kind of window."""
+    viewport = dict(zip(("width", "height"), size, strict=True))
+    with visit(browser, file.as_uri(), viewport=viewport, accept_downloads=True) as page:
+        _walk(page, turn, do)
+
+
+@pytest.mark.slow("at random, then guided, 30 s")
+@pytest.mark.parametrize("seed", range(6))
+def test_from_anywhere(browser: Browser, file: Path, seed: int) -> None:
+    """Who has pressed 40 keys at random is answered by what happened, and guided from there."""
+    random = Random(seed)
+    with visit(browser, file.as_uri()) as page:
+        page.evaluate("(turn) => workbench.room.go({ value: turn })", random.randrange(8))
+        click(page, "#take")
+        for _ in range(40):
+            run = page.evaluate(f"{_PROCESSOR}.run")
+            if random.random() < 0.5:
+                page.evaluate("(bit) => workbench.switches.flip({ value: bit })", random.randrange(12))
+                continue
+            key = random.choice(_KEYS)
+            page.evaluate("(key) => workbench.switches.press(key)", key)
+            heard = key in ("stop", "sing step", "mem prot")
+            assert ("did not hear" in _words(page)) == bool(run and not heard), (key, _words(page))
+        _until_it_waits(page, _helped, 20)
+
+
+def test_one_leaves_and_goes_on(browser: Browser, file: Path) -> None:
+    """In the midst of it to the story, to the desk, and back by the browser's own key: nothing is lost."""
+    with visit(browser, file.as_uri()) as page:
+        click(page, "#take")
+        for _ in range(4):
+            _helped(page, "")
+        before = _said(page)
+        click(page, "#take")
+        assert page.evaluate("workbench.afternoon.on")
+        page.get_by_role("button", name="Go on at the switches").click()
+        assert _said(page) == before
+        click(page, "#leave")
+        assert page.evaluate(f"{_PROCESSOR}.core[0o200]") == 0o6031
+        page.go_back()
+        until(page, "workbench.room.open")
+        page.get_by_role("button", name="Go on at the switches").click()
+        assert _said(page) == before
+        _until_it_waits(page, _helped, 20)
+
+
+def test_the_lamps_are_heard(browser: Browser, file: Path) -> None:
+    """After each key the lamps are in the status; W shows them, and hides them."""
+    with visit(browser, file.as_uri()) as page:
+        click(page, "#take")
+        page.keyboard.press("t")
+        assert "stopped" in page.locator("#room .lamps").inner_text()
+        assert page.locator("#room .lamps").bounding_box()["width"] < 2  # type: ignore[index]
+        page.keyboard.press("w")
+        assert page.locator("#room .lamps").bounding_box()["width"] > 100  # type: ignore[index]
+        page.keyboard.press("l")
+        assert "memory address 0200" in page.locator("#room .lamps").inner_text()
+        page.keyboard.press("w")
+        assert page.get_by_role("button", name="Lamps in words").get_attribute("aria-pressed") == "false"
