@@ -228,8 +228,11 @@ def _places(folder: str) -> dict[str, str]:
         number = re.search(r"(\d+)\.png$", file.name)
         for each in known.conjectures().values():
             if number and each.page == str(int(number[1])):
-                place = pages.find(each, file.read_bytes())
-                places[each.name] = f"; {file.name}: {place or 'the whole page'}"
+                top, last, sure = pages.find(each, file.read_bytes()) or (0, 0, True)
+                rows = f"rows {top} to {last} of pixels" if last else "the whole page"
+                places[each.name] = (
+                    f"; {file.name}: {'' if sure else 'by its number among the lines, about '}{rows}"
+                )
     return places
 
 

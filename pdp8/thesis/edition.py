@@ -20,9 +20,7 @@ from pdp8.thesis import collate, measures, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
 
-_SECTION = re.compile(
-    r"(<!-- (items|numbers|evidence|variants|rescan) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL
-)
+_SECTION = re.compile(r"(<!-- (\w+) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
     "items": "| what | page | state | here |\n|---|--:|---|---|\n",
     "numbers": "| page | the thesis | number | ours | state | made from | made by |\n"
@@ -41,8 +39,7 @@ def page(text: str) -> str:
 
 def _table(what: str, wanted: list[str]) -> str:
     makers: dict[str, _Maker] = {
-        "items": _items, "numbers": _numbers, "evidence": _evidence, "variants": _variants,
-        "rescan": _rescan,
+        "items": _items, "numbers": _numbers, "evidence": _evidence, "variants": _variants, "rescan": _rescan
     }  # fmt: skip
     rows = makers[what](*wanted)
     return _HEADINGS[what] + "".join(f"| {' | '.join(row)} |\n" for row in rows)

@@ -1,9 +1,9 @@
 """Where a line of a listing is on a picture of its page: rows of ink, counted.
 
-Needs OpenCV, the extra `vision`, through `tapes.photograph`. A page is taken to be straight and upright.
+A page is taken to be straight and upright. Needs OpenCV, the extra `vision`, through `tapes.photograph`.
 """
 
-from typing import Any, NamedTuple
+from itertools import groupby
 
 import numpy as np
 
@@ -14,50 +14,23 @@ from tapes.photograph.pixels import lights
 _DARK = 128
 
 
-class Place(NamedTuple):
-    """A part of a picture in pixels, `x` and `y` of its upper left; `sure` if every line was found."""
+def find(conjecture: Conjecture, picture: bytes) -> tuple[int, int, bool] | None:
+    """Return the first and the last row of pixels of the conjecture's line on a picture of its page.
 
-    x: int
-    y: int
-    width: int
-    height: int
-    sure: bool
-
-    def __str__(self) -> str:
-        """The place in words."""
-        about = "" if self.sure else "about, by its number among the lines: "
-        return f"{about}x {self.x} to {self.x + self.width}, y {self.y} to {self.y + self.height}"
-
-
-def find(conjecture: Conjecture, picture: bytes) -> Place | None:
-    """Return where the conjecture's line is on a picture of its page; None if it is no line of a listing.
-
+    The third is whether it is sure: as many rows of ink as lines. None if its place is no line of a listing.
     Raises TapeError where the picture cannot be read.
     """
-    name = conjecture.place.removeprefix("line ")
-    pages = {page.split()[-1].strip("[]").replace("Ø", "0"): page for page in _pages()}
-    text = pages.get(conjecture.page, "").replace("Ø", "0").replace("[", "")
-    lines = [line for line in text.splitlines() if line.strip()]
-    numbers = [at for at, line in enumerate(lines) if line.startswith(f"{name} ")]
-    if not numbers:
+    texts = (page for each in HEADINGS for page in facsimile(each).partition("\n\n")[2].split("\f"))
+    pages = [page.replace("Ø", "0").replace("[", "").replace("]", "").strip() for page in texts]
+    lines = next((page for page in pages if page.split()[-1] == conjecture.page), "").splitlines()
+    lines = [line for line in lines if line.strip()]
+    number = next((at for at, line in enumerate(lines) if line[:4].strip() == conjecture.place[5:]), None)
+    ink: list[bool] = np.asarray(np.less(lights(picture)[0], _DARK).any(axis=1)).tolist()
+    runs = [[at for at, _ in run] for dark, run in groupby(enumerate(ink), key=lambda row: row[1]) if dark]
+    if number is None or not runs:
         return None
-    ink: np.ndarray[Any, Any] = np.less(lights(picture)[0], _DARK)
-    rows, columns = _runs(np.asarray(ink.any(axis=1))), np.flatnonzero(ink.any(axis=0))
-    if not rows:
-        return None
-    left, width = int(columns[0]), int(columns[-1] - columns[0]) + 1
-    if len(rows) == len(lines):
-        top, end = rows[numbers[0]]
-        return Place(left, top, width, end - top, sure=True)
-    pitch = (rows[-1][1] - rows[0][0]) / len(lines)
-    return Place(left, int(rows[0][0] + pitch * (numbers[0] - 1)), width, int(3 * pitch), sure=False)
-
-
-def _pages() -> list[str]:
-    return [page for appendix in HEADINGS for page in facsimile(appendix).partition("\n\n")[2].split("\f")]
-
-
-def _runs(marks: "np.ndarray[Any, Any]") -> list[tuple[int, int]]:
-    """Return the beginning and the end of each run of rows that have ink."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], marks.astype(np.int8), [0]])))
-    return [(int(start), int(end)) for start, end in edges.reshape(-1, 2)]
+    if len(runs) == len(lines):
+        return runs[number][0], runs[number][-1], True
+    pitch = (runs[-1][-1] - runs[0][0]) / len(lines)
+    top = runs[0][0] + pitch * number
+    return int(top - pitch), int(top + 2 * pitch), False

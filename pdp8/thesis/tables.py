@@ -101,12 +101,8 @@ def comparison() -> Table:
         if row.piece:
             ours = _compared(row.piece, chain.pieces(part), passes, str(fewest(part)))
             rows.append(("", "piece-wise", *ours))
-    figures = (
-        "minutes a pass, thesis",
-        "minutes a pass, ours",
-        "[minutes in all], thesis",
-        "minutes in all, ours",
-    )
+    measures = ("minutes a pass", "[minutes in all]")
+    figures = (f"{measure}, {whose}" for measure in measures for whose in ("thesis", "ours"))
     blocks = ("blocks, thesis", "blocks, ours", "fewest possible, codes 01 to 05")
     return Table(("part", "technique", *blocks, *figures, "seconds a block, thesis"), tuple(rows))
 

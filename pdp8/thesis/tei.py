@@ -17,43 +17,30 @@ from itertools import groupby
 from typing import Final
 from xml.sax.saxutils import escape
 
-from pdp8.thesis.evidence import TABLES, Row, read
+from pdp8.thesis.catalogue import find
+from pdp8.thesis.evidence import ARTEFACTS, TABLES, Row, read
 from pdp8.thesis.supplied import marked
 
-RECONSTRUCTIONS: Final = ("eia1.pal", "eia2.pal")
+RECONSTRUCTIONS: Final = ARTEFACTS[1:3]
 """Programs that the thesis describes and does not list."""
-
-_THESIS: Final = """<bibl><author>Moses S. Wong</author>, <title>The Application of a Point-to-Point
-Numerical Control Machine for Continuous Contour Cutting</title>, M.Eng. thesis, McMaster University,
-<date when="1971-12">December 1971</date>{what}</bibl>"""
 
 _HEADER: Final = """<?xml version="1.0" encoding="UTF-8"?>
 <TEI xmlns="http://www.tei-c.org/ns/1.0">
 <teiHeader><fileDesc>
-<titleStmt><title>{name}: {title}</title>{author}
+<titleStmt><title>{title}</title>{author}
 <respStmt><resp>{resp}</resp><orgName xml:id="pdp8">the pdp8 project</orgName></respStmt></titleStmt>
 <publicationStmt><distributor>the pdp8 project</distributor><idno>pdp8 thesis evidence {name} --tei</idno>
 <availability status="restricted">{licence}</availability></publicationStmt>
-<sourceDesc>{source}</sourceDesc>
+<sourceDesc><bibl><author>Moses S. Wong</author>, <title>The Application of a Point-to-Point
+Numerical Control Machine for Continuous Contour Cutting</title>, M.Eng. thesis, McMaster University,
+<date when="1971-12">December 1971</date>{where}; from the text of a scan</bibl></sourceDesc>
 </fileDesc>
 <encodingDesc><editorialDecl>{editorial}</editorialDecl></encodingDesc></teiHeader>
 <text><body>
 """
-_TITLES: Final = {
-    "eia.pal": "the conversion program, Appendix B",
-    "eia1.pal": "a reconstruction of the first conversion program of Chapter 5",
-    "eia2.pal": "a reconstruction of the second conversion program of Chapter 5",
-    "circle.for": "the FORTRAN circle program, Appendix C",
-    "ellipse.for": "the FORTRAN ellipse program, Appendix D",
-    "ch2-block": "the fixed block, Chapter 2",
-    "2.3": "Table 2.3",
-    "ch4-memory-reference": "the memory reference instructions, Chapter 4",
-    "ch4-microinstructions": "the microinstructions, Chapter 4",
-    "ch4-input-output": "the input-output instructions, Chapter 4",
-}
+_ITEMS: Final = dict(zip(ARTEFACTS, ("B", "ch5-1", "ch5-2", "C", "D"), strict=True))
 _OURS: Final = '<licence target="https://opensource.org/license/mit">The MIT license.</licence>'
-_HIS: Final = """<p>The text is Moses S. Wong's; ask him, or McMaster University.</p>
-<p>What is supplied, the notes and the markup: the MIT license.</p>"""
+_HIS: Final = """<p>The text is Moses S. Wong's; what is supplied, notes and markup: the MIT license.</p>"""
 _EDITORIAL: Final = """<p>The source is the text of a scan; the pictures of the pages were not at hand.
 Legible lines are read by six rules (slashed zeros, points, spaces, boldface, stray marks, line numbers).
 choice has the scan's text of a damaged line in sic, and in corr the line as it was; two lines that the scan
@@ -65,19 +52,20 @@ pages 44 and 45, which describe the program, or the listing of the third program
 
 def tei(artefact: str) -> str:
     """Return the thesis's rows of an artefact as a TEI document. Raises WorkError if there is none."""
-    lines = list(marked(artefact))
-    if artefact in RECONSTRUCTIONS:
-        body = "".join(f"<ab>{escape(row.ours)}{_note(row)}</ab>\n" for row, _ in lines)
-        source = _THESIS.format(what=", pages 44 and 45, from the text of a scan")
-        says = {"author": "", "resp": "reconstructed by", "licence": _OURS, "editorial": _RECONSTRUCTED}
-    else:
-        body = "".join(_pages(lines, artefact))
-        source = _THESIS.format(what="; from the text of a scan")
-        resp = "supplied, corrected and annotated by"
-        author = "<author>Moses S. Wong</author>"
-        says = {"author": author, "resp": resp, "licence": _HIS, "editorial": _EDITORIAL}
-    header = _HEADER.format(name=artefact, title=_TITLES[artefact], source=source, **says)
-    return header + body + "</body></text>\n</TEI>\n"
+    item, lines = find(_ITEMS.get(artefact, artefact)), list(marked(artefact))
+    ours = artefact in RECONSTRUCTIONS
+    header = _HEADER.format(
+        name=artefact,
+        title=f"{item.name}. {item.title}{', a reconstruction' if ours else ''}",
+        author="" if ours else "<author>Moses S. Wong</author>",
+        resp="reconstructed by" if ours else "supplied, corrected and annotated by",
+        licence=_OURS if ours else _HIS,
+        where=", pages 44 and 45" if ours else "",
+        editorial=_RECONSTRUCTED if ours else _EDITORIAL,
+    )
+    reconstruction = (f"<ab>{escape(row.ours)}{_note(row)}</ab>\n" for row, _ in lines)
+    body = "".join(reconstruction if ours else _pages(lines, artefact))
+    return f"{header}{body}</body></text>\n</TEI>\n"
 
 
 def _pages(lines: list[tuple[Row, list[bool]]], artefact: str) -> Iterator[str]:

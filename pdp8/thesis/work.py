@@ -32,14 +32,8 @@ def part(name: str, close_at: tuple[float, float], zoom: tuple[float, float]) ->
     """Figures 7.1, 7.3 and 7.5: a slot; its close view is about `close_at`, `zoom` its scales of X and Y."""
     about = parts.find(name)
     path, band = chain.path(name), 1000 * about.tolerance
-    return plot(
-        path,
-        nominal(**about.nominal),
-        cutter=1000 * about.cutter,
-        tolerance=band,
-        close_at=close_at,
-        zoom=zoom,
-    )
+    curve = nominal(**about.nominal)
+    return plot(path, curve, cutter=1000 * about.cutter, tolerance=band, close_at=close_at, zoom=zoom)
 
 
 def die_tape() -> bytes:

@@ -258,6 +258,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     "thesis numbers": ("",),
     "thesis evidence": ("circle.for",),
     "thesis page": ("",),
+    "thesis collate": ("",),
 }  # fmt: skip
 """What each command is called with besides the options that are tried."""
 

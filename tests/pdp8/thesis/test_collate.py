@@ -122,10 +122,11 @@ def test_a_line_is_found_on_a_page_and_only_about_where_lines_are_missing(
     place = pages.find(KNOWN["0340"], (tmp_path / "page-106.png").read_bytes())
     (row,) = [at for at, line in enumerate(lines) if line.startswith("Ø34Ø")]
     assert place
-    assert place.sure == (lost == 0)
-    baseline = 60 + 17 * row
-    assert place.y <= baseline - 4 <= place.y + place.height
-    assert place.height < (17 if place.sure else 60)
+    top, last, sure = place
+    assert sure == (lost == 0)
+    assert top <= 60 + 17 * row - 4 <= last
+    assert last - top < (17 if sure else 60)
     status, out, _ = call(f"pdp8 thesis collate --pages {tmp_path}")
     assert status == 0
-    assert f"line 0340; page-106.png: {place}" in str(out)
+    about = "" if sure else "by its number among the lines, about "
+    assert f"line 0340; page-106.png: {about}rows {top} to {last}" in str(out)

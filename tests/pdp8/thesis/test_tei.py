@@ -84,13 +84,13 @@ def test_a_program_that_we_wrote_is_not_given_to_the_author(artefact: str) -> No
     assert all(statement(row.ours) in third for row in like)
 
 
-@pytest.mark.slow("asks for TEI's schema, and validates ten documents by it: 15 s")
+@pytest.mark.slow("asks for TEI's schema, and validates four documents by it: 10 s")
 def test_it_is_valid_tei() -> None:
     etree = pytest.importorskip("lxml.etree")
     if not SCHEMA.exists():
         pytest.skip("TEI's schema is not here: make build/tei_all.rng")
     schema = etree.RelaxNG(etree.parse(str(SCHEMA)))
-    for artefact in ARTEFACTS + TABLES:
+    for artefact in ("eia.pal", "eia1.pal", "circle.for", "ch2-block"):
         document = etree.fromstring(tei(artefact).encode())
         assert schema.validate(document), (artefact, schema.error_log)
     document.append(etree.Element(f"{SPACE}ab"))
