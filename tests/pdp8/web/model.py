@@ -1,0 +1,375 @@
+"""A small model of the page: random steps by its controls, and what must be true after each.
+
+    python -m tests.pdp8.web.model 10000 [SEED]
+
+The model knows nothing of the page's code: programs by name, what was punched, the switches, who leads the
+machine, what is kept. Whatever the page shows that the model does not expect is a difference.
+"""
+
+import random
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from pdp8 import shelf
+from pdp8.web import method
+from tapes import binary
+from tests.pdp8.web.browsing import DESK, Page, launched, until, visit
+
+NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n"
+LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+SECOND = 20_000_000
+"""Ticks."""
+EIA_PAL = binary.decode(shelf.read_bundled("eia.bin")).words.items()
+NEWEST = 20
+"""Tapes that a reload finds again."""
+DRIVER = """
+window.driver = {
+  click(selector) { document.querySelector(selector).click(); },
+  put(selector, value, ...events) {
+    const field = document.querySelector(selector);
+    field.value = value;
+    for (const each of events) field.dispatchEvent(new Event(each, { bubbles: true }));
+  },
+  facts() {
+    const { afternoon, editor, machine, programs, room, shelf, teletype } = workbench;
+    const marked = (name) => {
+      const button = document.querySelector(`#computer [data-key="${name}"]`);
+      return (button.ariaPressed ?? button.ariaChecked) === "true";
+    };
+    return {
+      programs: Object.fromEntries(programs.names().map((name) => [name, programs.get(name)])),
+      program: editor.name, text: editor.text, shown: document.getElementById("program-name").value,
+      led: afternoon.on, playing: afternoon.playing,
+      over: afternoon.on && afternoon.script.now >= afternoon.script.end,
+      room: room.open,
+      sr: machine.processor.sr,
+      step: Boolean(machine.processor.sing_step), protect: Boolean(machine.processor.mem_prot),
+      marks: [marked("sing step"), marked("mem prot")],
+      punched: afternoon.on ? null : [...machine.teletype.punch.frames].map((frame) => frame & 0o177),
+      tapes: shelf.names().filter((name) => !shelf.bundled.includes(name)),
+      mounted: afternoon.on ? null : teletype.name,
+      unit: document.querySelector("#units :checked").value, speed: document.getElementById("speed").value,
+      refused: !dispatchEvent(new Event("beforeunload", { cancelable: true })),
+    };
+  },
+};
+"""
+
+REFUSING = """() => {
+  const { setItem } = Storage.prototype;
+  Storage.prototype.setItem = function (name, text) {
+    if (name.startsWith("pdp8 program")) throw new Error("full");
+    setItem.call(this, name, text);
+  };
+}"""
+
+
+class Model:
+    """What must be true of the page; each method does one step at both."""
+
+    def __init__(self, page: Page, draw: random.Random) -> None:
+        self.page, self.draw = page, draw
+        self.programs: dict[str, str] = {}
+        self.punched: list[int] = []
+        self.sr, self.step, self.protect = 0, False, False
+        self.tapes: list[str] = []
+        self.mounted = ""
+        self.led = self.playing = False
+        self.laid = False
+        """Whether the story's source lies over the program, to be read."""
+        self.unit, self.speed, self.refuses = "instruction", "1", False
+        page.evaluate(DRIVER)
+        facts = self._facts()
+        self.program, self.text = facts["program"], facts["text"]
+        self.programs[self.program] = self.text
+        self.unit, self.speed = facts["unit"], facts["speed"]
+        self.steps: dict[Callable[[], None], int] = {
+            self.create: 2, self.write: 4, self.rename: 2, self.remove_and_undo: 1, self.choose: 3,
+            self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
+            self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
+            self.pick_unit: 2, self.pick_speed: 2, self.reload: 2, self.other_tab: 1, self.refuse: 1,
+        }  # fmt: skip
+
+    def one(self) -> str:
+        """Do a step drawn at random; return its name."""
+        (step,) = self.draw.choices([*self.steps], [*self.steps.values()])
+        step()
+        return step.__name__
+
+    def differences(self) -> dict[str, tuple[object, object]]:
+        """{what differs: (in the page, in the model)}."""
+        facts = self._facts()
+        if self.led:
+            if facts["over"]:  # it stops there with the next picture
+                until(self.page, "!workbench.afternoon.playing")
+                facts, self.playing = self._facts(), False
+            label = "Pause" if self.playing else "Play"  # the button follows with the next picture
+            until(self.page, f"workbench.afternoon.script.now >= workbench.afternoon.script.end || "
+                             f"document.getElementById('play').textContent === {label!r}")  # fmt: skip
+        if (
+            self.text != self.programs[self.program]
+        ):  # typing is kept when another program is opened, or at the end
+            facts["programs"][self.program] = self.text
+            self.programs[self.program] = self.text
+        expected: dict[str, object] = {
+            "programs": self.programs, "program": self.program,
+            "led": self.led, "playing": self.playing, "room": False,
+            "tapes": self.tapes, "unit": self.unit, "speed": self.speed,
+            "refused": self.refuses,
+        }  # fmt: skip
+        if not self.laid:
+            expected |= {"text": self.text, "shown": self.program}
+        if not self.led:
+            expected |= {
+                "sr": self.sr, "step": self.step, "protect": self.protect, "marks": [self.step, self.protect],
+                "punched": self.punched, "mounted": self.mounted,
+            }  # fmt: skip
+        return {name: (facts[name], value) for name, value in expected.items() if facts[name] != value}
+
+    def _facts(self) -> dict[str, Any]:
+        facts: dict[str, Any] = self.page.evaluate("driver.facts()")
+        return facts
+
+    def _click(self, selector: str) -> None:
+        self.page.evaluate("(selector) => driver.click(selector)", selector)
+
+    def _put(self, selector: str, value: str, *events: str) -> None:
+        self.page.evaluate("([selector, value, ...events]) => driver.put(selector, value, ...events)",
+                           [selector, value, *events])  # fmt: skip
+
+    # Programs
+
+    def _turn(self, name: str) -> None:
+        self.laid = False
+        self.program, self.text = name, self.programs[name]
+
+    def create(self) -> None:
+        if self.refuses or self.led:
+            return
+        self._click("#new-program")
+        name, number = "program.pal", 1
+        while self.programs.get(name, NEW) != NEW:
+            number += 1
+            name = f"program {number}.pal"
+        self.programs[name] = NEW
+        self._turn(name)
+
+    def write(self) -> None:
+        if self.laid:
+            return
+        letter = self.draw.choice(LETTERS)
+        self.text = f"*200\n\tCLA CLL\n\tTAD C\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\nC,\t{ord(letter):o}\n$\n"
+        self._put("#source", self.text, "input")
+
+    def rename(self) -> None:
+        if self.refuses or self.laid:
+            return
+        name = f"{self.draw.choice(LETTERS).lower()}{self.draw.randrange(100)}.pal"
+        if name in self.programs:
+            return
+        self._put("#program-name", name, "change")
+        del self.programs[self.program]
+        self.programs[name] = self.text
+        self.program = name
+
+    def choose(self) -> None:
+        if self.led:
+            return
+        name = self.draw.choice([*self.programs])
+        self._put("#sources", name, "change")
+        self._turn(name)
+
+    def remove_and_undo(self) -> None:
+        if self.refuses or self.laid:
+            return
+        self._click("#delete-program")
+        self.page.evaluate("driver.click(\"[data-click='editor.undo']\")")
+
+    # The machine
+
+    def take_over(self) -> None:
+        """Touch a switch: the machine is the visitor's, as the story has it."""
+        self.flip()
+
+    def flip(self) -> None:
+        self._click("#computer .rocker[value='11']")
+        self.sr ^= 1
+        if self.led:  # what the story left in the machine is the visitor's
+            self._click('#computer [data-key="stop"]')
+            until(self.page, "!workbench.clock.pictures.running")  # the Teletype ends what it has begun
+            facts = self._facts()
+            self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
+            self.punched, self.mounted = facts["punched"], facts["mounted"]
+            self.led = self.playing = False
+
+    def throw(self) -> None:
+        if self.led:
+            return
+        name = self.draw.choice(("sing step", "mem prot"))
+        self._click(f'#computer [data-key="{name}"]')
+        if name == "sing step":
+            self.step = not self.step
+        else:
+            self.protect = not self.protect
+
+    def run(self) -> None:
+        """Assemble, load, START: with both switches down the program punches its letter and halts."""
+        if self.led or self.laid or self.step or self.protect or "C,\t" not in self.text:
+            return
+        self._put("#speed", "Infinity", "change")
+        self.speed = "Infinity"
+        self._click("#run-it")
+        until(self.page, "!workbench.machine.processor.run")
+        self.sr = 0o200
+        self.punched.append(int(self.text.split("C,\t")[1].split("\n")[0], 8))
+
+    # Tapes
+
+    def drop(self) -> None:
+        if self.led:
+            return
+        self.page.evaluate("workbench.take(new File(['1 2\\r\\n'], 't.asc'))")
+        name, number = "t.asc", 1
+        while name in self.tapes:
+            number += 1
+            name = f"t {number}.asc"
+        until(self.page, f"workbench.teletype.name === {name!r}")
+        self.tapes.append(name)
+        self.mounted = name
+
+    def mount(self) -> None:
+        if self.led or not self.tapes:
+            return
+        self.mounted = self.draw.choice(self.tapes)
+        self._put("#shelf", self.mounted, "change")
+
+    def tear(self) -> None:
+        if self.led or not self.punched:
+            return
+        before = self.tapes
+        self._click("#tear")
+        self.tapes = self._facts()["tapes"]
+        assert self.tapes[:-1] == before, "a new tape, the newest"
+        self.punched = []
+
+    def translate(self) -> None:
+        """A part through eia.pal: what is punched is its EIA tape only, however often it is done."""
+        if self.led or self.step or self.protect or self.refuses:
+            return
+        self._put("#part-name", "drill", "change")
+        self.page.evaluate("document.querySelector('#part-options [name]').value = '1,1'")
+        self.page.evaluate("workbench.parts.punch()")
+        until(self.page, "!document.getElementById('part-translate').disabled")
+        self._click("#part-translate")
+        until(self.page, "!workbench.parts.translating && !document.getElementById('part-cut').disabled")
+        facts = self._facts()
+        tape = self.page.evaluate("[...workbench.shelf.get(workbench.teletype.name).frames]")
+        made = method.translated(EIA_PAL, bytes(tape)).teletype.punch.tape
+        assert facts["punched"] == [frame & 0o177 for frame in made], "its tape, and nothing before it"
+        self.laid = False
+        self.tapes, self.mounted, self.punched = facts["tapes"], facts["mounted"], facts["punched"]
+        self.sr, self.program, self.text = facts["sr"], facts["program"], facts["text"]
+        self.programs[self.program] = self.text
+
+    # The afternoon
+
+    def lead(self) -> None:
+        seconds = self.draw.randrange(1, 10_000)
+        self.speed = "10"  # as fast as it goes a play would end between two steps
+        self._put("#speed", self.speed, "change")
+        self.page.evaluate("(tick) => workbench.afternoon.go(tick)", seconds * SECOND)
+        self.led = self.laid = True
+
+    def play(self) -> None:
+        if not self.led:
+            return
+        self._click("#play")
+        self.playing = not self.playing
+
+    def drag(self) -> None:
+        """While it is held the play waits; let go, it goes on if it played before."""
+        if not self.led:
+            return
+        for _ in range(self.draw.randrange(1, 4)):
+            self._put("#slider", str(self.draw.randrange(1, 10_000) * SECOND), "input")
+            assert not self._facts()["playing"]
+        self._put("#slider", str(self.draw.randrange(1, 10_000) * SECOND), "change")
+
+    # What is kept
+
+    def pick_unit(self) -> None:
+        self.unit = self.draw.choice(("block", "character", "instruction", "cycle"))
+        self._click(f"#units [value='{self.unit}']")
+
+    def pick_speed(self) -> None:
+        self.speed = self.draw.choice(("1", "10") if self.led else ("1", "10", "Infinity"))
+        self._put("#speed", self.speed, "change")
+
+    def reload(self) -> None:
+        """All is as it was, but a story does not lead any more, and of the tapes the newest are kept."""
+        if self.refuses or self.led:
+            return
+        self.page.evaluate("(desk) => history.replaceState(null, '', desk)", DESK)
+        self.page.reload()
+        self._found_again()
+
+    def _found_again(self) -> None:
+        until(self.page, "!!window.workbench?.ready")
+        self.page.evaluate(DRIVER)
+        self.tapes = self.tapes[-NEWEST:]
+        self.laid = False
+
+    def other_tab(self) -> None:
+        """Another tab has other settings, and is closed last: this one finds its own."""
+        if self.refuses or self.led:
+            return
+        here = self.page.url.partition("#")[0] + DESK
+        self.page.goto("about:blank")
+        other = self.page.context.new_page()
+        other.goto(here)
+        until(other, "!!window.workbench?.ready")
+        other.evaluate(DRIVER)
+        other.evaluate("driver.click(\"#units [value='block']\"); driver.put('#speed', '10', 'change')")
+        other.close()
+        self.page.goto(here)
+        self._found_again()
+
+    def refuse(self) -> None:
+        """The browser keeps no program from now on: before the page is left it asks about what is new."""
+        if self.refuses or self.led:
+            return
+        self.page.evaluate(REFUSING)
+        self.write()
+        self.refuses = True
+        self.page.evaluate("workbench.editor.keep()")
+
+
+def differ(page: Page, count: int, seed: int) -> str:
+    """Do `count` steps; return the first difference with the steps before it, "" for none."""
+    model = Model(page, random.Random(seed))
+    done: list[str] = []
+    for _ in range(count):
+        done.append(model.one())
+        if found := model.differences():
+            return f"seed {seed}, after {done[-12:]}, {len(done)} steps: {found}"
+    return ""
+
+
+def main() -> None:
+    """Do so many steps, two hundred in a page."""
+    from pdp8.web.workbench import page as workbench
+
+    count, first = int(sys.argv[1]), int(sys.argv[2]) if sys.argv[2:] else 0
+    with tempfile.TemporaryDirectory() as folder, launched() as browser:
+        file = Path(folder) / "pdp8.html"
+        file.write_text(workbench(), encoding="utf-8")
+        for seed in range(first, first + count // 200):
+            with visit(browser, file.as_uri() + DESK, viewport={"width": 1366, "height": 768}) as page:
+                print(seed, differ(page, 200, seed) or "no difference", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,11 @@
+"""Random steps at the page's controls beside a model; `python -m tests.pdp8.web.model 10000` does more."""
+
+import pytest
+
+from tests.pdp8.web.browsing import Page
+from tests.pdp8.web.model import differ
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_page_is_as_its_model_after_any_steps(page: Page, seed: int) -> None:
+    assert differ(page, 120, seed) == ""
