@@ -342,6 +342,35 @@ def test_each_control_changes_its_figure(page: Page) -> None:
     assert re.match(r"666 blocks: 30\.0 minutes .*; 13320 frames", page.locator("#translated").inner_text())
 
 
+def _set(page: Page, name: str, value: int) -> Locator:
+    """Set an input of a figure, by its script; return the figure."""
+    control = page.locator(name)
+    control.scroll_into_view_if_needed()
+    put = "(input, to) => { input.value = to; input.dispatchEvent(new Event('input', { bubbles: true })); }"
+    control.evaluate(put, value)
+    return control.locator("xpath=ancestor::figure")
+
+
+def test_a_frame_is_counted_from_one(page: Page) -> None:
+    """Its input says it to a screen reader: the first of block 1, its last, the first of block 2."""
+    for place, named in ((0, "1 of 27 of block 1"), (26, "27 of 27 of block 1"), (27, "1 of 27 of block 2")):
+        _set(page, "#translating [name=character]", place)
+        says = "document.querySelector('#translating [name=character]').getAttribute('aria-valuetext')"
+        until(page, f"{says}?.startsWith({named!r}) ?? false")
+
+
+def test_the_errors_of_the_step_wise_slope_are_opposite(page: Page) -> None:
+    """X 20 % too fast and Y 20 % too slow take the minutes that Python has for them, not those of both."""
+    figure = _set(page, "#stepwise [name=dx]", 20)
+    band = figure.locator("[name=tolerance] ~ output").inner_text()
+    thousandths = 1000 * float(re.findall(r"\d*\.\d+", band)[-1])
+    opposite, both = method.slope(thousandths, 0.2, -0.2), method.slope(thousandths, 0.2, 0.2)
+    assert f"{opposite.minutes:.2f}" != f"{both.minutes:.2f}"
+    until(
+        page, f"document.querySelector('#stepwise .said').textContent.includes('{opposite.minutes:.2f} min')"
+    )
+
+
 def _changes(figure: Locator, before: str) -> bool:
     """Wait until a figure shows something else than before, and say whether it does."""
     for _ in range(200):
