@@ -4,14 +4,18 @@
     3n0          field n of the words that follow (none: field 0)
     1aa 0aa      origin, six bits a frame, channel 7 marks its first half
     0dd 0dd      words, for ascending addresses
-    377 .. 377   whatever stands between two rubouts (a typed message) is not read
+    377 .. 377   whatever is between two rubouts (a typed message) is not read
     0cc 0cc      checksum: the sum of the frames of all origins and words, as whole frames, modulo 2**12
     200 ...      trailer
 
-One tape may hold several such sections; after each the loader halts, and CONT reads the next. What follows
-the last trailer and is no section (blank tape, rubouts, letters punched for the eye) is a label, and so are
-letters before the leader, with blank tape between. Leader and trailer are 64 frames, as PAL III of 1967
-(DEC-08-ASB1) punched them.
+One tape may hold several such sections; after each the loader halts, and CONT reads the next. Leader and
+trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1) punched them.
+
+A tape is read as the loader reads it, from the frame on which an operator would set it: past blank tape and
+past a title, with whose frames the loader would make words. It may have no leader; letters with channel 8 in
+the leader are passed over, as the loader passes over them; leader after an origin too. Where the trailer is
+missing, blank or a file's last newline, the checksum says whether the tape is whole. What follows the last
+trailer and is no section is a label. `Reading.notes` names all this.
 
 Not emulated: what the loader makes of frames that are not BIN; such a tape is damaged. Whether a field
 exists is for the machine to judge: addresses here have 15 bits, the field first.
@@ -28,14 +32,18 @@ from tapes.frames import (
     BLANK,
     LEADER,
     LEAST_LEADER,
+    PADDING,
     RUBOUT,
     check_word,
-    find_leader,
+    find_start,
     label_after,
     label_before,
     leader,
+    missing_leader,
     skip,
+    starts,
 )
+from tapes.quantities import counted
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -64,13 +72,17 @@ class Section(NamedTuple):
 
 class Reading(NamedTuple):
     """A tape as far as it can be read: its whole sections, the items of one that does not end, what is wrong
-    with it, None if nothing is, and the frames of its labels: before the leader, after the last trailer.
+    with it, None if nothing is, and the frames of its labels, in its order.
+
+    `notes` say what it lacks, `start` is the frame on which an operator sets it.
     """
 
     sections: tuple[Section, ...]
     unended: tuple[Item, ...] = ()
     damage: TapeError | None = None
     labels: tuple[range, ...] = ()
+    notes: tuple[str, ...] = ()
+    start: int = 0
 
 
 class Content(NamedTuple):
@@ -170,25 +182,75 @@ def content(reading: Reading) -> Content:
 def read(frames: bytes) -> Reading:
     """Return the tape section by section, its checksums unjudged.
 
-    Raises TapeError where no BIN tape begins: an empty tape, no leader, nothing but leader.
+    Raises TapeError where no BIN tape begins: an empty tape, neither leader nor origin, nothing but leader.
     """
-    start = find_leader(frames)
+    return read_whole(frames) or _read_from(frames, find_start(frames))
+
+
+def read_whole(frames: bytes) -> Reading | None:
+    """Return the tape from the first of its `starts` at which a whole section begins: an origin, words, their
+    checksum; None if there is none.
+    """
+    for start in starts(frames):
+        if skip(frames, start, LEADER) == len(frames):
+            continue
+        reading = _read_from(frames, start)
+        if reading.sections and _is_whole(reading.sections[0], frames[start] == LEADER):
+            return reading
+    return None
+
+
+def _is_whole(section: Section, led: bool) -> bool:
+    """Tell whether a tape's first section, after leader or not, is one beyond doubt."""
+    begins = _first_kind(section.items) if section.items or not led else ORIGIN
+    return section.computed == section.punched and begins == ORIGIN
+
+
+def _read_from(frames: bytes, start: int) -> Reading:
     at = skip(frames, start, LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
-    labels = label_before(frames, start)
+    labels = [*label_before(frames, start)]
+    notes = missing_leader(frames, start)
     sections: list[Section] = []
     while at < len(frames):
-        items, end, damage = _items(frames, at)
+        items, end, damage = _items(frames, at, labels)
+        if not sections and labels:
+            start = labels[-1].stop  # past a title, which no loader is sure to pass over
+        closing = _checksum_at(frames, items) if damage else 0
+        if closing:
+            sections.append(_close(items[: closing + 1]))
+            notes = (*notes, _no_trailer(len(frames) - items[closing].frame - 2))
+            break
         if sections and _is_label(frames, at, items, end if damage else -1):
-            return Reading(tuple(sections), labels=(*labels, range(at, len(frames))))
-        if damage is None and items[-1].kind != WORD:
-            damage = TapeError("the trailer where a checksum was expected", end)
+            labels = [*(label for label in labels if label.start < at), range(at, len(frames))]
+            break
         if damage is not None:
-            return Reading(tuple(sections), tuple(items), damage, labels)
+            return Reading(tuple(sections), tuple(items), damage, tuple(labels), notes, start)
         sections.append(_close(items))
         at = skip(frames, end, LEADER, BLANK)
-    return Reading(tuple(sections), labels=labels)
+    return Reading(tuple(sections), (), None, tuple(labels), notes, start)
+
+
+def _checksum_at(frames: bytes, items: list[Item]) -> int:
+    """Return which of the items of a section without trailer is its checksum: the sum of those before it, and
+    after it there is only what a file may have at its end, and one last frame. 0 if there is none.
+    """
+    computed = 0
+    for number, (kind, value, frame) in enumerate(items):
+        summed = kind == WORD and number > 0 and computed & 0o7777 == value
+        if summed and not frames[frame + 2 : -1].strip(PADDING):
+            return number
+        computed += _frames_of(kind, value)
+    return 0
+
+
+def _no_trailer(rest: int) -> str:
+    return "no trailer" + (f"; {counted(rest, 'frames')} after the checksum, left out" if rest else "")
+
+
+def _first_kind(items: Iterable[Item]) -> str:
+    return next((item.kind for item in items if item.kind != FIELD), "")
 
 
 def find_apart(frames: bytes, reading: Reading) -> int | None:
@@ -200,7 +262,7 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
         return None
     at = label.start
     while (start := frames.find(LEAST_LEADER, at)) != -1:
-        items, at, damage = _items(frames, skip(frames, start, LEADER))
+        items, at, damage = _items(frames, skip(frames, start, LEADER), [])
         if damage is None and items[0].kind != WORD and items[-1].kind == WORD:
             section = _close(items)
             if section.computed == section.punched:
@@ -215,7 +277,7 @@ def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
     A section comes after leader and begins with an origin or a field. Letters read so soon meet a frame that
     is none; a section that is damaged goes on for longer, or to the end of the tape.
     """
-    if frames[at - 1] != LEADER or not items or items[0].kind == WORD:
+    if frames[at - 1] != LEADER or _first_kind(items) != ORIGIN:
         return True
     return 0 <= wrong < len(frames) and len(items) < _A_SECTION
 
@@ -236,21 +298,34 @@ def _load(items: Iterable[Item], content: Content) -> None:
             address = address + 1 & 0o7777
 
 
-def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
-    """Return what stands from frame `at` on, and the frame of the trailer, or of the first fault."""
+def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int, TapeError | None]:
+    """Return what begins at frame `at`, and the frame of the trailer, or of the first fault. Letters in the
+    leader are added to `labels`.
+    """
     items: list[Item] = []
+    begun = summed = False  # whether an origin or a word has come; whether the last one was a word
     while at < len(frames):
         frame = frames[at]
         if frame == LEADER:
-            if items:
+            if summed:
                 return items, at, None
-            at += 1  # a message stands within the leader
+            at += 1  # within the leader, or after an origin
         elif frame == RUBOUT:
             closing = frames.find(RUBOUT, at + 1)
             if closing == -1:
                 message = "this rubout has no other to end it: the tape is cut short"
                 return items, at, TapeError(message, at)
             at = closing + 1
+        elif frame > LEADER and not begun:
+            end = at
+            while end < len(frames) and frames[end] > LEADER:
+                end += 1
+            if all(each & 0o307 == 0o300 for each in frames[at:end]):
+                items += [Item(FIELD, frames[each] >> 3 & 7, each) for each in range(at, end)]
+            else:
+                items.clear()
+                labels.append(range(at, end))
+            at = end
         elif frame >> 6 == 3:
             items.append(Item(FIELD, frame >> 3 & 7, at))
             at += 1
@@ -259,18 +334,28 @@ def _items(frames: bytes, at: int) -> tuple[list[Item], int, TapeError | None]:
             if damage:
                 return items, damage.frame or 0, damage
             items.append(Item(ORIGIN if frame >> 6 else WORD, (frame & 0o77) << 6 | frames[at + 1], at))
+            begun, summed = True, not frame >> 6
             at += 2
+    end = items[-1].frame + 2 if items else at
+    if begun and not summed and end < at and not frames[end:].strip(bytes([LEADER])):
+        return items, end, TapeError("the trailer where a checksum was expected", end)
     return items, at, TapeError("the tape is cut short: it has no trailer", at)
 
 
 def _close(items: list[Item]) -> Section:
-    """Return the section of `items`, the last of which is its checksum."""
-    _, punched, frame = items.pop()
-    computed = 0
-    for kind, value, _ in items:
-        if kind != FIELD:
-            computed += (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
-    return Section(tuple(items), computed & 0o7777, punched, frame)
+    """Return the section of `items`, the last word of which is its checksum."""
+    last = len(items) - 1
+    while items[last].kind != WORD:
+        last -= 1
+    _, punched, frame = items[last]
+    summed = items[:last]
+    computed = sum(_frames_of(kind, value) for kind, value, _ in summed)
+    return Section(tuple(summed), computed & 0o7777, punched, frame)
+
+
+def _frames_of(kind: str, value: int) -> int:
+    """Return what the frames of an item add to the checksum."""
+    return 0 if kind == FIELD else (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
 
 
 def _fault(frames: bytes, at: int) -> TapeError | None:

@@ -47,7 +47,8 @@ def start(frames: bytes) -> int:
     """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
     label of a tape of words; any other tape's first.
     """
+    code = recognise(frames)
+    if isinstance(code, loaders.Words):
+        return code.start(frames)
     leader = leader_start(frames)
-    if leader is None or (label_before(frames, leader) and not isinstance(recognise(frames), loaders.Words)):
-        return 0
-    return leader
+    return 0 if leader is None or label_before(frames, leader) else leader

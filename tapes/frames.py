@@ -29,6 +29,12 @@ LEAST_LEADER = bytes([LEADER]) * 8
 LABEL_GAP = bytes([BLANK]) * 3
 """Between a label and the leader is more blank tape than between what was torn off and its trailer."""
 
+PADDING = bytes([BLANK, 0o012, 0o015, 0o032, 0o212, 0o215, 0o232])
+"""What a file may have after a tape's end: blank tape, a line end, ^Z."""
+
+_PRINTED = bytes([*range(0o007, 0o016), *range(0o040, 0o200), *range(0o207, 0o216), *range(0o240, 0o400)])
+_MOST_LINES = 2
+"""Lines of a title: more are a text."""
 _NO_LETTERS = bytes([BLANK, LEADER])
 _RUBBED_OUT = bytes([BLANK, RUBOUT])
 _CODES = bytes(range(0o200)) * 2  # of every frame, without its channel 8
@@ -126,10 +132,38 @@ def leader_start(frames: bytes) -> int | None:
     return at if letters.endswith(LABEL_GAP) or not letters.strip(_RUBBED_OUT) else None
 
 
-def label_before(frames: bytes, leader: int) -> tuple[range, ...]:
-    """Return the frames of the letters before a tape's leader, blank tape apart; () if there are none."""
-    end = paper_end(frames[:leader])
-    return (range(skip(frames, 0, BLANK), end),) if end else ()
+def starts(frames: bytes) -> list[int]:
+    """Return the frames on which an operator might set a loader tape, the likeliest first: the first with a
+    hole; the leader after letters for the eye; the leader after a title that is punched as characters.
+    """
+    first = skip(frames, 0, BLANK)
+    found = [first]
+    eye = leader_start(frames)
+    if eye is not None and eye != first and _lines(frames[first:eye]) <= _MOST_LINES:
+        found.append(eye)
+    title = skip(frames, first, LEADER)
+    after = frames.find(LEAST_LEADER, title)
+    if after > title and after not in found and _is_title(frames[title:after]):
+        found.append(after)
+    return found
+
+
+def _is_title(frames: bytes) -> bool:
+    """Tell whether frames before a leader are a line or two of characters."""
+    return _lines(frames) <= _MOST_LINES and not frames.strip(_NO_LETTERS).translate(None, _PRINTED)
+
+
+def _lines(frames: bytes) -> int:
+    """Return how many lines of a text the frames would be."""
+    return frames.translate(PARITIES["none"]).strip(b"\r\n\0\x7f").count(b"\r\n") + 1
+
+
+def label_before(frames: bytes, start: int) -> tuple[range, ...]:
+    """Return the frames of the letters before a tape's start, blank tape and leader apart; () if there are
+    none.
+    """
+    end = len(frames[:start].rstrip(_NO_LETTERS))
+    return (range(skip(frames, 0, BLANK, LEADER), end),) if end else ()
 
 
 def label_after(frames: bytes, labels: tuple[range, ...]) -> range | None:
@@ -143,9 +177,9 @@ def check_word(address: int, word: int) -> None:
         raise TapeError(f"{address:04o}: {word:o} (octal) is no word; 0000 to 7777 are")
 
 
-def find_leader(frames: bytes) -> int:
-    """Return `leader_start`. Raises TapeError: an empty tape, nothing but blank tape, another frame than
-    200.
+def find_start(frames: bytes) -> int:
+    """Return where a tape that is no whole one may begin: `leader_start`, or the first frame with a hole if
+    that is an origin. Raises TapeError: an empty tape, nothing but blank tape, another frame.
     """
     start = leader_start(frames)
     if start is not None:
@@ -155,7 +189,16 @@ def find_leader(frames: bytes) -> int:
     at = skip(frames, 0, BLANK)
     if at == len(frames):
         raise TapeError("nothing but blank tape", 0)
-    raise TapeError(f"{frames[at]:03o} where the leader (200) was expected", at)
+    if frames[at] >> 6 != 1:
+        raise TapeError(f"{frames[at]:03o} where the leader (200) or an origin (1nn) was expected", at)
+    return at
+
+
+def missing_leader(frames: bytes, start: int) -> tuple[str, ...]:
+    """Say that a loader tape which begins at frame `start` has no leader; () if it has."""
+    if start == len(frames) or frames[start] >= LEADER:
+        return ()
+    return (f"{start:,} blank frames instead of leader, passed over" if start else "no leader",)
 
 
 def channels(frame: int) -> tuple[int, ...]:

@@ -1,6 +1,6 @@
 """The two codes of DEC's loaders, BIN and RIM, as tapes: recognised, captioned, reported.
 
-    bin, rim   leader, then frames of the formats' classes; letters for the eye may stand before it
+    bin, rim   frames of the formats' classes, as the loaders read them; leader is usual before and after
 
 A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
 and differs in what stands before the trailer: its checksum. So a tape that reads as both is BIN when its
@@ -24,13 +24,14 @@ from tapes.frames import (
     RUBOUT,
     begins_as_words,
     draw_label,
-    find_leader,
     leader_start,
     skip,
     strip,
 )
 from tapes.quantities import counted, ranges
 
+_FITTING = 8
+"""Frames: one in 65,000 begins so by chance."""
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 
 
@@ -53,27 +54,42 @@ class Words(Code):
         """Return the frames of labels: before the leader, after the last trailer."""
         raise NotImplementedError
 
+    def start(self, frames: bytes) -> int:
+        """Return the frame on which an operator sets the tape; 0 if it cannot be read."""
+        raise NotImplementedError
+
+    def notes(self, frames: bytes) -> tuple[str, ...]:
+        """Return what a tape lacks, and what is passed over for that. Raises TapeError."""
+        raise NotImplementedError
+
     def left_out(self, frames: bytes) -> tuple[str, ...]:
-        """Return what to say of a tape beside its program: labels, a good section after one."""
-        return tuple(f"a label of {_place(label)}, left out" for label in self.labels(frames))
+        """Return what to say of a tape beside its program: labels, what it lacks, a good section after it."""
+        labels = [f"a label of {_place(label)}, left out" for label in self.labels(frames)]
+        return (*labels, *self.notes(frames))
 
     def likelihood(self, frames: bytes) -> float:
-        """Return how likely a tape is in this format."""
-        whole = self._whole(frames) if frames[0] == LEADER else 0.0
+        """Return how likely a tape is in this format; one of characters, without leader, is a text."""
+        if LEADER not in frames and not frames.translate(None, ascii.WRITING):
+            return 0.0
+        whole = self._whole(frames)
         if whole:
             return whole
         start = leader_start(frames)
         if start and b"\r\n" not in frames[:start].translate(PARITIES["none"]):
             tape = frames[start:]  # letters for the eye stand before it: lines of text do not
-            whole = self._whole(tape)
-            if whole:
-                return LABELLED * whole
             if self._likelihood(tape) == LED and not nearly_all(tape.strip(_NO_WORD), ascii.WRITING):
                 return LABELLED * 0.9
-        return self._likelihood(frames)
+        return self._likelihood(frames) or self._without_leader(frames)
+
+    def _without_leader(self, frames: bytes) -> float:
+        """Return how likely a damaged tape without leader is in this format: its first frames have to fit."""
+        damage = self.damage(frames)
+        fits = damage is None or (damage.frame or 0) >= _FITTING
+        steps = self._steps(_by_words(strip(frames).body, ended=False))
+        return PERHAPS / 2 if frames[0] >> 6 == 1 and fits and steps else 0.0
 
     def _whole(self, frames: bytes) -> float:
-        """Return WHOLE if every frame fits, a little less if that says little, else 0.0."""
+        """Return WHOLE if the loader reads the tape, a little less if that says little, else 0.0."""
         raise NotImplementedError
 
     def _empty(self) -> float:
@@ -128,16 +144,23 @@ class _Bin(Words):
         except TapeError:
             return ()
 
+    def start(self, frames: bytes) -> int:
+        return 0 if fault(binary.read, frames) else binary.read(frames).start
+
+    def notes(self, frames: bytes) -> tuple[str, ...]:
+        return binary.read(frames).notes
+
     def left_out(self, frames: bytes) -> tuple[str, ...]:
         start = binary.find_apart(frames, binary.read(frames))
         apart = f"after the label, from frame {start} on, a good section: a tape of its own, left out"
         return (*super().left_out(frames), *[apart] * (start is not None))
 
     def _whole(self, frames: bytes) -> float:
-        try:
-            return WHOLE if binary.decode(frames).words else 0.95 * WHOLE
-        except TapeError:
+        reading = binary.read_whole(frames)
+        if reading is None or reading.damage is not None:
             return 0.0
+        held = [item for section in reading.sections for item in section.items if item.kind == binary.WORD]
+        return WHOLE if held else 0.95 * WHOLE
 
     def _empty(self) -> float:
         return MOSTLY
@@ -195,6 +218,7 @@ class _Bin(Words):
             rows.append(("damage", str(reading.damage)))
         if fault(binary.decode, frames) is None:
             rows.append(("core", ranges(binary.content(reading).words)))
+        rows += [("note", note) for note in reading.notes]
         rows += _labels(frames, reading.labels)
         start = binary.find_apart(frames, reading)
         if start is not None:
@@ -226,8 +250,15 @@ class _Rim(Words):
         except TapeError:
             return ()
 
+    def start(self, frames: bytes) -> int:
+        return 0 if fault(rim.read, frames) else rim.read(frames).start
+
+    def notes(self, frames: bytes) -> tuple[str, ...]:
+        return rim.read(frames).notes
+
     def _whole(self, frames: bytes) -> float:
-        return 0.0 if self.damage(frames) else WHOLE
+        led = frames[0] >= LEADER  # without leader it may be in EIA, whose end of block would be a trailer
+        return (WHOLE if led else LABELLED) if rim.read_whole(frames) else 0.0
 
     def _steps(self, by_words: bool) -> bool:
         return by_words
@@ -247,14 +278,15 @@ class _Rim(Words):
         """Return the count of words, their addresses, labels and damage."""
         if damage := fault(rim.read, frames):
             return [("damage", damage)]
-        words, wrong, labels = rim.read(frames)
-        held = ("holds", f"{counted(len(words), 'words')}; RIM has no checksum")
-        damages = [("damage", str(wrong))] * (wrong is not None)
-        return [held, ("core", ranges(words)), *damages, *_labels(frames, labels)]
+        reading = rim.read(frames)
+        held = ("holds", f"{counted(len(reading.words), 'words')}; RIM has no checksum")
+        damages = [("damage", str(reading.damage))] * (reading.damage is not None)
+        notes = [("note", note) for note in reading.notes]
+        return [held, ("core", ranges(reading.words)), *damages, *notes, *_labels(frames, reading.labels)]
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return RIM's order: an address every four frames, and channel 7 in its first only."""
-        start = skip(frames, find_leader(frames), LEADER)
+        start = skip(frames, self.start(frames), LEADER)
         return Rule(
             "RIM's order",
             lambda at, frame: at < start or frame == LEADER or frame >> 6 == ((at - start) % 4 == 0),

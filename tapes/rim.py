@@ -5,10 +5,12 @@ in.
     1aa 0aa      address, six bits a frame, channel 7 marks its first half
     0dd 0dd      contents
     ...          and so on, word by word
-    200 ...      trailer: there is no checksum, and nothing but the operator stops the loader
+    200 ...      trailer: there is no checksum, and only the operator stops the loader
 
-Frames of 200 between the words are skipped, and blank frames before the leader: the operator sets the tape on
-its leader. What follows the trailer and is no word (letters punched for the eye) is a label.
+The loader passes over every frame with channel 8 that comes where an address or a word begins, and so does
+`read`; there may be none before or after the words. The operator sets the tape on its first hole, or past a
+title without channel 8. Blank tape between the words is passed over; the loader makes a word 0000 at 0000 of
+each two frames. What follows the trailer and is no word is a label. `Reading.notes` names all this.
 
 Not emulated: what the loader makes of frames that are not RIM (it stores them somewhere); such a tape is
 damaged.
@@ -25,13 +27,18 @@ from tapes.frames import (
     BLANK,
     LEADER,
     LEAST_LEADER,
+    PADDING,
     check_word,
-    find_leader,
+    find_start,
+    label_after,
     label_before,
     leader,
+    missing_leader,
     paper_end,
     skip,
+    starts,
 )
+from tapes.quantities import counted
 
 
 def encode(words: Mapping[int, int]) -> bytes:
@@ -48,18 +55,25 @@ def encode(words: Mapping[int, int]) -> bytes:
 
 class Reading(NamedTuple):
     """A tape as far as it can be read: {address: word}, what is wrong with it, None if nothing is, and the
-    frames of its labels: before the leader, after the trailer.
+    frames of its labels, in its order.
+
+    `notes` say what it lacks, `start` is the frame on which an operator sets it, and at `end` its trailer, or
+    its last word, has been read.
     """
 
     words: dict[int, int]
     damage: TapeError | None = None
     labels: tuple[range, ...] = ()
+    notes: tuple[str, ...] = ()
+    start: int = 0
+    end: int = 0
 
 
 def decode(frames: bytes) -> dict[int, int]:
     """Return {address: word}; where an address comes twice the later word stays, as in core.
 
-    Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a tape cut short.
+    Raises TapeError naming the frame: an empty tape, neither leader nor address, a frame out of place, a tape
+    cut short inside a word.
     """
     reading = read(frames)
     if reading.damage:
@@ -68,36 +82,80 @@ def decode(frames: bytes) -> dict[int, int]:
 
 
 def read(frames: bytes) -> Reading:
-    """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins: an empty tape, no
-    leader, nothing but leader.
+    """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins: an empty tape,
+    neither leader nor address, nothing but leader.
     """
-    at = start = find_leader(frames)
-    end = _end(frames)
-    labels = label_before(frames, start)
+    reading = read_whole(frames)
+    if reading is None:
+        start = find_start(frames)
+        reading = _read_from(frames, start)
+        if not reading.words and not reading.damage:
+            raise TapeError("nothing but leader", start)
+    return reading
+
+
+def read_whole(frames: bytes) -> Reading | None:
+    """Return the tape from the first of its `starts` at which whole words begin; None if there is none."""
+    for start in starts(frames):
+        reading = _read_from(frames, start)
+        if reading.words and not reading.damage:
+            return reading
+    return None
+
+
+def _read_from(frames: bytes, start: int) -> Reading:
+    at = end = start
     words: dict[int, int] = {}
-    while at < end:
-        if frames[at] == LEADER:
-            at += 1
+    labels = [*label_before(frames, start)]
+    gaps: list[str] = []
+    damage: TapeError | None = None
+    while at < len(frames) and damage is None:
+        if frames[at] >= LEADER:
+            after = _passed_over(frames, at)
+            letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
+            if letters and not words:
+                labels.append(letters)
+            at = after
             continue
-        group = frames[at : at + 4]
-        damage = _fault(group, at)
-        if damage and words and _after_trailer(frames, at):
-            return Reading(words, labels=(*labels, range(skip(frames, at, BLANK), len(frames))))
-        if damage:
-            return Reading(words, damage, labels)
-        words[(group[0] & 0o77) << 6 | group[1]] = group[2] << 6 | group[3]
-        at += 4
-    if not words:
-        raise TapeError("nothing but leader", start)
-    if frames[end - 1] != LEADER:
-        return Reading(words, TapeError("the tape is cut short: it has no trailer", end), labels)
-    return Reading(words, labels=labels)
+        data = _passed_over(frames, at + 2)
+        damage = _fault(frames, at, 0) or _fault(frames, data, 2)
+        if damage is None:
+            words[(frames[at] & 0o77) << 6 | frames[at + 1]] = frames[data] << 6 | frames[data + 1]
+            at = end = data + 2
+        elif words:
+            after = skip(frames, at, BLANK)
+            if _after_trailer(frames, at):
+                damage = None
+                labels += [range(after, len(frames))] * (after < len(frames))
+                break
+            if not frames[end:-1].strip(_AT_THE_END):
+                damage = None
+                break
+            if after > at and frames[after] >> 6 == 1:
+                damage = None
+                gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
+                at = after
+    labelled = label_after(frames, tuple(labels)) is not None
+    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames, end)))
+    return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
 
 
-def _end(frames: bytes) -> int:
-    """Return where the trailer ends, blank tape apart; with no trailer, where the tape ends."""
-    end = paper_end(frames)
-    return end if frames[end - 1] == LEADER else len(frames)
+def _passed_over(frames: bytes, at: int) -> int:
+    """Return the first frame from `at` on that has no channel 8."""
+    while at < len(frames) and frames[at] >= LEADER:
+        at += 1
+    return at
+
+
+def _ending(frames: bytes, end: int) -> list[str]:
+    """Say what is wrong with the end of a tape, whose last word ends before frame `end`."""
+    rest = frames[end:]
+    if rest.startswith(bytes([LEADER])):
+        more = len(rest.strip(bytes([BLANK, LEADER])))
+        return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)
+    return [
+        "no trailer" + (f"; {counted(len(rest), 'frames')} after the last word, left out" if rest else "")
+    ]
 
 
 def _after_trailer(frames: bytes, at: int) -> bool:
@@ -105,16 +163,18 @@ def _after_trailer(frames: bytes, at: int) -> bool:
     return frames[: paper_end(frames[:at])].endswith(LEAST_LEADER)
 
 
-def _fault(group: bytes, at: int) -> TapeError | None:
-    """Return what is wrong unless the four frames have channels 8 and 7 as 01 00 00 00."""
-    for place, frame in enumerate(group):
-        if frame >> 6 != (place == 0):
-            return TapeError(f"{frame:03o} where {_EXPECTED[place]} was expected", at + place)
-    if len(group) < 4:
-        return TapeError("the tape is cut short inside a word", at + len(group))
+def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
+    """Return what is wrong unless the two frames at `at` are an address (`first` 0) or a word (2)."""
+    for place in (first, first + 1):
+        if at == len(frames):
+            return TapeError("the tape is cut short inside a word", at)
+        if frames[at] >> 6 != (place == 0):
+            return TapeError(f"{frames[at]:03o} where {_EXPECTED[place]} was expected", at)
+        at += 1
     return None
 
 
+_AT_THE_END = PADDING + bytes([LEADER])
 _EXPECTED = (
     "the first half of an address",
     "the second half of an address",

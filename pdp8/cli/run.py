@@ -21,23 +21,17 @@ from pdp8.cli.shared.parameters import octal, seconds
 from pdp8.cli.shared.rules import declared, is_given, option
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, rerun, said
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
 from tapes.errors import called, naming
 
 if TYPE_CHECKING:
+    from pdp8.computer.hardware.fields import Values
     from pdp8.computer.use.program import Program
     from pdp8.computer.use.trace import Listing
 
-_WHY = {
-    Reason.HALT: "HLT at {last:04o}",
-    Reason.TAPE_OUT: "the reader ran out of tape, and the program waits for it at {pc:04o}",
-    Reason.IDLE: "an endless loop at {pc:04o} that nothing can end",
-    Reason.LIMIT: "still running at {pc:04o} when --max-time was over",
-    Reason.STOP_KEY: "stopped before {pc:04o}",
-    Reason.PROTECT: "MEM PROT stopped a write at {last:04o}",
-}
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
 _CLOSED: Final = "closed"
 _FAILED: Final = "failed"
@@ -228,6 +222,11 @@ def run(ctx: click.Context, /, options: Options) -> None:
     if found or "start" in explicit:
         machine.start(options.start)
     failures: list[ShelfError] = []
+    began = machine.values()
+    if _paged(options) or feed.left:
+        from pdp8.computer.past.history import History
+
+        History(machine)
     stop = _run(options, machine, found, feed, failures)
     if options.save is not None:
         from pdp8.computer.past import state
@@ -236,7 +235,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
             command.put(options.save, state.save(machine))
     for failure in failures:
         command.say(str(failure))
-    status = _report(options, machine, feed, stop)
+    status = _report(options, machine, feed, stop, found, began)
     ctx.exit(1 if failures else status)
 
 
@@ -379,7 +378,9 @@ def _noted(failures: list[ShelfError]) -> Iterator[None]:
         failures.append(error)
 
 
-def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int:
+def _report(
+    options: Options, machine: Machine, feed: Feed, stop: _Ended, found: "Program | None", began: "Values"
+) -> int:
     """Say how the run ended; return the exit status."""
     if stop is None and options.keyboard:
         return 0
@@ -404,9 +405,28 @@ def _report(options: Options, machine: Machine, feed: Feed, stop: _Ended) -> int
     if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not _fed(options):
         counts += "; --keyboard types at the Teletype, --reader FILE puts a tape in"
     if not (options.quiet and done):
-        last = machine.ma if stop.reason is Reason.HALT else stop.pc - 1 & 0o7777
-        command.say(_WHY[stop.reason].format(pc=stop.pc, last=last) + counts)
+        stop = _explained(machine, stop, found, began)
+        still = f"still running at {stop.pc:04o} when --max-time was over"
+        command.say((still if stop.reason is Reason.LIMIT else ended(stop, machine)) + counts)
+        for why in stop.why:
+            if why.what != KEY:
+                command.say(said(why, _listing(found), machine.core))
     return 0 if done else 1
+
+
+def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Values") -> Stop:
+    """Return the stop with its reasons. A run that only its tape has influenced is run again for that; any
+    other has its history.
+    """
+    words = found.words if found else {}
+    if not may_be_wrong(stop, machine, words):
+        return stop
+    from pdp8.computer.past.history import History
+
+    history = machine.recorder
+    if not isinstance(history, History):
+        history = rerun(machine, began)
+    return explained(stop, history, words)
 
 
 def _tell_of_channel_8(options: Options, machine: Machine) -> None:

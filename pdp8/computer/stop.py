@@ -22,9 +22,28 @@ class Reason(StrEnum):
     """MEM PROT stopped a write."""
 
 
+class Why(NamedTuple):
+    """One thing that went wrong, or that the program waits for; `use.ending` says it as a sentence.
+
+    `what` is a name of `use.ending`, `address` that of the instruction; `other` where it led to, or whence,
+    `through` the pointer, `code` the device, `number` how many.
+    """
+
+    what: str
+    address: int
+    other: int = -1
+    through: int = -1
+    code: int = 0
+    number: int = 0
+
+
 class Stop(NamedTuple):
-    """The end of a run: `pc` is the address of the next instruction, `elapsed` the seconds since START."""
+    """The end of a run: `pc` is the address of the next instruction, `elapsed` the seconds since START.
+
+    `why` is empty unless `use.ending.explained` has looked into it.
+    """
 
     reason: Reason
     pc: int
     elapsed: float
+    why: tuple[Why, ...] = ()

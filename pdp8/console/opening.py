@@ -35,6 +35,7 @@ def opening(
         session.mount(session.tapes[-1])
     if program and not cold:
         machine.load(last.words)
+        session.listing = last.listing
         machine.sr = start
         session.press("load_add")
     return session, [rim_loader, loader, last]

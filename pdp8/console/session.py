@@ -21,7 +21,10 @@ from pdp8.computer.hardware.signals import NEVER
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
+from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, said
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
+from pdp8.computer.use.trace import Listing
 from pdp8.computer.watch import instruction_at
 from tapes import codes
 
@@ -32,14 +35,6 @@ KEY_SECONDS = 0.1
 _SAMPLES = 8
 _BUDGET = 0.030  # seconds of ours for one turn, so that the room stays awake
 _SHORTEST = 1e-4
-
-_ENDED = {
-    "halt": "HLT at {ma:04o}",
-    "tape out": "out of tape; the program waits at {pc:04o}",
-    "idle": "the program waits at {pc:04o} for a key or a tape",
-    "stop key": "stopped before {pc:04o}",
-    "protect": "MEM PROT stopped a write at {ma:04o}",
-}
 
 
 class Tape(NamedTuple):
@@ -69,6 +64,10 @@ class Session:
         """The name of the tape in the reader."""
         self.hand = 0
         """Which switch of the switch register the hand is at, 0 the leftmost."""
+        self.listing = Listing()
+        """That of the program in core."""
+        self._explained_at = -1
+        """Where the program waits of whose waiting everything is said."""
         self._clock = clock
         self._slice = _SHORTEST
         self._hands: Iterator[None] | None = None
@@ -97,11 +96,23 @@ class Session:
             stop = machine.run(seconds=max(step, 1e-6))
             samples.append(machine.panel.lamps)
             if stop.reason != "limit":
-                self.said = _ENDED[stop.reason].format(pc=stop.pc, ma=machine.ma)
+                self.said = self._ended(stop)
                 break
             self.said = "running"
+            self._explained_at = -1
             self._suit(self._clock() - before)
         self.behind = False
+
+    def _ended(self, stop: Stop) -> str:
+        """Return how a run ended, and why where something is wrong."""
+        if stop.pc == self._explained_at and stop.reason in ("idle", "tape out"):
+            return self.said
+        listing = self.listing
+        if may_be_wrong(stop, self.machine, listing.words):
+            stop = explained(stop, self.history, listing.words)
+        self._explained_at = stop.pc
+        wrong = [said(why, listing, self.machine.core) for why in stop.why if why.what != KEY]
+        return ". ".join((ended(stop, self.machine), *wrong))
 
     def _suit(self, took: float) -> None:
         """Make the slices of a run so long that one takes some milliseconds of ours."""
@@ -125,6 +136,7 @@ class Session:
         """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
         panel = self.machine.panel
         self.operator.press(key)
+        self._explained_at = -1
         if key == "stop":
             self._hands = None
             self.said = f"stopped before {self.machine.pc:04o}"
@@ -133,7 +145,7 @@ class Session:
         elif panel.lamps.run:
             self.said = "the machine runs: all keys but STOP are dead"
         elif panel.lamps.protect:
-            self.said = _ENDED["protect"].format(ma=self.machine.ma)
+            self.said = ended(Stop(Reason.PROTECT, self.machine.pc, 0.0), self.machine)
         elif key in ("start", "cont"):
             self.said = f"one cycle: {STATES[self.machine.processor.state]}"
         else:

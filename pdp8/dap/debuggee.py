@@ -12,6 +12,7 @@ from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import HistoryError
 from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use.ending import ended
 from pdp8.computer.watch import Watch
 from pdp8.dap import motion
 from pdp8.dap.breakpoints import DATA, Breakpoints, Point
@@ -20,13 +21,6 @@ from pdp8.dap.places import Places
 from pdp8.monitor.arguments import LONGEST
 from pdp8.monitor.running import slices
 
-_ENDED = {
-    Reason.HALT: "HLT at {ma:04o}",
-    Reason.TAPE_OUT: "the reader ran out of tape; the program waits for it at {pc:04o}",
-    Reason.IDLE: "the program waits at {pc:04o} for a key or a tape",
-    Reason.STOP_KEY: "STOP before {pc:04o}",
-    Reason.PROTECT: "MEM PROT stopped a write at {ma:04o}",
-}
 _WAITS = (Reason.TAPE_OUT, Reason.IDLE)
 _STANDS = (Reason.HALT, Reason.PROTECT)
 
@@ -163,7 +157,9 @@ class Debuggee:
                 return self.over() if self._goal.interrupt else Halt("step")
             self.go_on()
             return None
-        description = _ENDED[stop.reason].format(pc=stop.pc, ma=machine.ma)
+        stop = self.monitor.explained(stop)
+        description = ended(stop, machine)
+        self.said += self.monitor.sentences(stop)
         if stop.reason in _WAITS and not (self.launch.noDebug and stop.reason is Reason.TAPE_OUT):
             return Halt("", description)
         return Halt("exception" if stop.reason is Reason.PROTECT else str(stop.reason), description)

@@ -10,11 +10,14 @@ from collections.abc import Callable
 
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
+from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use import ending
 from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, octal
 
+_ENDED = {Reason.TAPE_OUT: "waits for a tape"}
 _RANGE = re.compile(r"\d+-\d+")
 HANDS = 0.1
 """Seconds the operator takes to press a key."""
@@ -52,6 +55,25 @@ class Monitor:
         """Say where the machine stands now, `why`, and at what time."""
         m = self.machine
         self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc])}")
+
+    def say_stop(self, stop: Stop) -> None:
+        """Say how a run ended, and why where something is wrong."""
+        stop = self.explained(stop)
+        waits = any(why.what == ending.KEY for why in stop.why)
+        self.say_where("waits for a key" if waits else _ENDED.get(stop.reason, stop.reason))
+        for sentence in self.sentences(stop):
+            self.say(sentence)
+
+    def explained(self, stop: Stop) -> Stop:
+        """Return a stop with its reasons, where something may be wrong."""
+        if not ending.may_be_wrong(stop, self.machine, self.listing.words):
+            return stop
+        return ending.explained(stop, self.history, self.listing.words)
+
+    def sentences(self, stop: Stop) -> list[str]:
+        """Return what is wrong, in sentences."""
+        wrong = [why for why in stop.why if why.what != ending.KEY]
+        return [ending.said(why, self.listing, self.machine.core) for why in wrong]
 
     def address(self, text: str) -> int:
         """Return the address that `text` names: octal, or a symbol, plus and minus octal numbers."""

@@ -113,7 +113,7 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
         _wait_for(monitor, goal)
         return
     *_, stop = slices(monitor, goal.seconds)
-    monitor.say_where(stop.reason)
+    monitor.say_stop(stop)
 
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:

@@ -29,7 +29,7 @@ CAPTIONS = """\
 bin  200 310 100 000 377 311 322 377 000 001 001 001 200
      leader|field 1|origin 0000|"|rubout|(I)|(R)|rubout|0000: 0001|"|checksum 0101|"|leader
 bin  200 370 215 177 077 000 001 000 002 000 000 003 201
-     leader|field 7|?|origin 7777|"|7777: 0001|"|0000: 0002|"|0001: 0000|"|?|?
+     leader|label|label|origin 7777|"|7777: 0001|"|0000: 0002|"|0001: 0000|"|?|?
 bin  200 102 000 000 000 001 002 200 000 000 200
      leader|origin 0200|"|0200: 0000|"|checksum 0102|"|leader|blank|blank|leader
 bin  200 377 102 000
@@ -43,7 +43,7 @@ rim  200 102 000 074 002 103 077 000 001 200
 rim  200 102 000 102 000 074 002 200
      leader|?|blank|address 0200|"|7402|"|leader
 rim  200 377 000 310 102 000 074
-     leader|rubout|blank|field 1|?|blank|?"""
+     leader|label|blank|field 1|?|blank|?"""
 
 
 def test_captions_frame_by_frame() -> None:

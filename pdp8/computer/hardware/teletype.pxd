@@ -36,7 +36,7 @@ cdef class Receiver(Device):
     cdef public Reader reader
     cdef public Keyboard keyboard
     cdef public int reader_run, buffer, line, active, shifts, pulses
-    cdef public int64_t now, start, free, origin, edge, step
+    cdef public int64_t now, start, free, origin, edge, step, lost, lost_at
 
     @cython.locals(pulse=int, ninth=int64_t)
     cpdef int plan(self) except -1
@@ -80,7 +80,7 @@ cdef class Transmitter(Device):
     cdef public Printer printer
     cdef public Punch punch
     cdef public int register, mark, sent, unit, selected, ahead
-    cdef public int64_t start, free, began
+    cdef public int64_t start, free, began, lost, lost_at
 
     cpdef int plan(self) noexcept
     @cython.locals(units=int)

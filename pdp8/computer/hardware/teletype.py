@@ -164,6 +164,8 @@ class Receiver(Device):
         line="3777",
         pulses=0o377,
         shifts=9,
+        lost=COUNT,
+        lost_at=TICK,
         reader=PART,
         keyboard=PART,
     )
@@ -194,6 +196,9 @@ class Receiver(Device):
         """The tick at which the next character begins on the line."""
         self.step = NEVER
         """The tick of the next thing that happens here; `due` is the next that changes the flag."""
+        self.lost = 0
+        """How many characters came in over one that was not read since START, the first at `lost_at`."""
+        self.lost_at = 0
 
     def look(self) -> None:
         """Look whether something waits for the line, as soon as time goes on."""
@@ -316,6 +321,9 @@ class Receiver(Device):
         if self.active and count > 0:
             first = self.pulses + FIRST_SHIFT
             units = self.units(first + UNIT * self.shifts) << 8 | self.buffer
+            if self.flag:
+                self.lost += 1
+                self.lost_at = self.lost_at or self.tick(first)
             self.flag = ~units >> count - 1 & 1
             self.buffer = units >> count & 0o377
             self.shifts = shifts
@@ -348,7 +356,7 @@ class Receiver(Device):
         """Clear the flag and ACTIVE, set READER RUN."""
         if self.now < now:  # else what begins now begins as time goes on
             self.advance(now)
-        self.flag = 0
+        self.flag = self.lost = self.lost_at = 0
         self.reader_run = 1
         if self.active:
             self.stop(self.pulse_after(now))
@@ -418,9 +426,9 @@ class Transmitter(Device):
 
     fields = saved(
         **dict.fromkeys(("flag", "tested", "mark"), BIT),
-        **dict.fromkeys(("start", "free", "began"), COUNT),
+        **dict.fromkeys(("start", "free", "began", "lost"), COUNT),
         **dict.fromkeys(("sent", "ahead"), 1 << 30),
-        due=TICK,
+        **dict.fromkeys(("due", "lost_at"), TICK),
         register="777",
         selected="377",
         unit=9,
@@ -450,6 +458,9 @@ class Transmitter(Device):
         """The data units it has taken."""
         self.ahead = 0
         """How many of its next frames the printer was let finish ahead of their time."""
+        self.lost = 0
+        """How many characters were loaded over another since START, the first at `lost_at`."""
+        self.lost_at = 0
 
     def restored(self) -> None:
         """Set what happens next."""
@@ -567,6 +578,9 @@ class Transmitter(Device):
         if self.register == 0:
             self.start = max(self.free, PARTS * now)
             self.sent = 0
+        else:
+            self.lost += 1
+            self.lost_at = self.lost_at or now
         self.register |= _MARKER | character
 
     def initialize(self, now: int) -> None:
@@ -575,7 +589,7 @@ class Transmitter(Device):
         if self.register and self.sent:
             edges = (PARTS * now - self.start) // HALF_UNIT
             self.free = self.start + HALF_UNIT * (edges + 4 if edges else 1)
-        self.register = self.flag = 0
+        self.register = self.flag = self.lost = self.lost_at = 0
         self.mark = 1
         self.plan()
 

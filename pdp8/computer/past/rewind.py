@@ -9,6 +9,7 @@ Each raises HistoryError, and leaves the machine as it is, where the history doe
 """
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from pal.isa import FETCH
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
@@ -197,3 +198,31 @@ def _before(history: History, counted: Callable[[Machine], int], count: int, wha
             history.go_to_instruction(middle)
             below, above = (below, middle) if counted(machine) >= fewer else (middle, above)
         history.go_to_instruction(below)
+
+
+@contextmanager
+def looking_back(history: History) -> Iterator[None]:
+    """Let the machine go back and run on; afterwards it stands as it stood."""
+    machine = history.machine
+    now = machine.values()
+    with history.going_back():
+        try:
+            yield
+        finally:
+            machine.put(now)
+
+
+def come_to(history: History, end: int, places: set[int], stops: Callable[[], bool]) -> bool:
+    """Run on from a moment that was gone to, to the first of `places` at which `stops` holds; return whether
+    there is one before tick `end`.
+    """
+    machine = history.machine
+    for clock in history.ahead(end):
+        machine.watch.breakpoints = places
+        while machine.processor.clock < clock:
+            reason = _run_to(machine, clock)
+            if reason is Reason.BREAKPOINT and stops():
+                return True
+            if reason not in (Reason.BREAKPOINT, Reason.LIMIT):
+                return False
+    return False

@@ -21,7 +21,7 @@ from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
 from tapes import binary, codes, rim
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, label_after
+from tapes.frames import BLANK, LEADER
 from tapes.quantities import counted, duration
 
 RIM_START = 0o7756
@@ -234,18 +234,22 @@ class Operator:
     def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
         """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
 
-        Raises LoadError unless the loader halts after each with AC = 0. With `force` AC may be anything, and
+        Raises LoadError unless the loader halts after each with AC = 0; it cannot where the tape has no
+        trailer, and STOP is pressed. With `force` AC may be anything, and
         STOP is pressed where the tape has run out and the loader has not halted.
         """
-        sections, words = _bin_sections(tape)
+        sections, words, end = _bin_sections(tape)
+        halts = end == len(tape)
+        tape = tape[:end]
         began = self.machine.processor.clock
         self.mount(name, tape)
         stop = self.start(BIN_START, TELETYPE_READER, _longest(tape))
-        self._judge(stop, tape, name, force)
+        self._judge(stop, tape, name, force or (sections == 1 and not halts))
         before = 0
-        for _ in range(sections - 1):
+        for left in range(sections - 1, 0, -1):
             before += self._pass_blank(name)
-            self._judge(self.go_on(_longest(tape)), tape, name, force)
+            stop = self.go_on(_longest(tape))
+            self._judge(stop, tape, name, force or (left == 1 and not halts))
         found = self._read(f"{name} read by BIN", began, words)
         return found._replace(frames=before + found.frames, sections=sections)
 
@@ -312,18 +316,20 @@ def _ended(stop: Stop, tape: bytes) -> str:
 def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
     """Return where a RIM tape's trailer ends, as the operator sees from the tape, and the words it holds."""
     try:
-        words, _, labels = rim.read(tape)
+        reading = rim.read(tape)
     except TapeError:
         return len(tape), {}
-    label = label_after(tape, labels)
-    to_the_trailer = (tape[: label.start] if label else tape).rstrip(bytes([BLANK]))
-    return len(to_the_trailer) if to_the_trailer[-1] == LEADER else len(tape), words
+    return len(tape) if reading.damage else reading.end, reading.words
 
 
-def _bin_sections(tape: bytes) -> tuple[int, dict[int, int]]:
-    """Return how often the loader will halt, as the operator sees from the tape, and the words it holds."""
+def _bin_sections(tape: bytes) -> tuple[int, dict[int, int], int]:
+    """Return how often the loader will halt, as the operator sees from the tape, the words it holds, and how
+    many frames are to be read: with no trailer, the loader would take what follows the checksum for words.
+    """
     try:
         reading = binary.read(tape)
-        return len(reading.sections) + bool(reading.unended), binary.content(reading).words
     except TapeError:
-        return 1, {}
+        return 1, {}, len(tape)
+    sections, words = len(reading.sections) + bool(reading.unended), binary.content(reading).words
+    end = reading.sections[-1].frame + 2 if reading.sections and not reading.unended else len(tape)
+    return sections, words, len(tape) if LEADER in tape[end:] else end

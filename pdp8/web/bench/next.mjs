@@ -1,6 +1,7 @@
 // What can be pressed next: a sentence, and the controls that do it.
 
-import { waits_for } from "../../computer/use/waits.mjs";
+import { hands, said, waits_for } from "../../computer/use/ending.mjs";
+import { Listing } from "../../computer/use/trace.mjs";
 import { find, octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
@@ -17,8 +18,9 @@ export function next({ machine, why }) {
   const { processor, waiting } = machine;
   if (!processor.run) return standing(processor, why);
   if (!waiting.endless) return ["The program runs.", [STOP]];
-  const { said, hands } = waits_for(machine);
-  return [said, [...hands.map((hand) => HANDS[hand]), STOP]];
+  const waits = waits_for(machine);
+  const words = waits.map((each) => said(each, new Listing(), machine.core));
+  return [words.join(" "), [...hands(machine, waits).map((hand) => HANDS[hand]), STOP]];
 }
 
 /** @returns {[string, string[][]]} */

@@ -33,7 +33,7 @@ MODULES = {
     "pdp8.computer.hardware": "*",
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
-    "pdp8.computer.use": "goals keys operator program trace waits",
+    "pdp8.computer.use": "ending goals keys operator program trace",
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis drill evidence exercise hints marking page scores trial values where",
     "nc": "blocks machine path",
@@ -47,6 +47,7 @@ OMITTED = {
     "pal.assembly": "__repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ _copied count",
+    "pdp8.computer.use.ending": "rerun",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement"
     " _bin_tape _eia_tape",
     "nc.path": "__repr__ array",

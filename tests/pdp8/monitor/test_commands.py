@@ -61,7 +61,7 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     do(made, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
     assert said[-1].startswith("stop key; ")
     do(made, "cont")
-    assert said[-1].startswith("tape out; ")
+    assert said[-1].startswith("waits for a tape; ")
     made.stopping = True  # before the run: it ends none
     do(made, "deposit 300 2310 5300 5300", "go 300 3")
     assert not said[-1].startswith("stop key; ")

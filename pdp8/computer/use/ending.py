@@ -1,0 +1,344 @@
+"""Why a program ended where it should not, or waits for what never comes, each reason with its sentence.
+
+    explained(stop, history, words)      the stop with its reasons, `Stop.why`
+    ended(stop, machine)                 how the run ended, in a few words
+    said(why, listing, core)             what a reason means, where, and what to try
+
+The last turn of an endless loop is run once more and looked at. Where a program left the words that were
+loaded is found by going back to START and running again until it leaves them: the same run, so the same way.
+Words that the program has written are its own. Afterwards the machine stands as it stood.
+
+Not found out: why a program goes wrong and stays within its words.
+"""
+
+from collections.abc import Mapping
+from copy import copy
+
+from pal.isa import INDIRECT, IOT, JMP, JMS, autoindexed, refers_to
+from pdp8.computer.hardware.core import Core
+from pdp8.computer.hardware.fields import Values
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import rewind
+from pdp8.computer.past.history import History
+from pdp8.computer.stop import Reason, Stop, Why
+from pdp8.computer.use.trace import Listing
+
+KEY = "key"
+READER = "high-speed reader"
+PUNCH = "high-speed punch"
+PRINTER = "printer"
+NO_DEVICE = "no device"
+LOOP = "loop"
+WITHIN = "called from within"
+FIRST_WORD = "jumped to a first word"
+UNCLEARED = "flag not cleared"
+LEFT = "left"
+JUMPED = "jumped"
+INTERRUPTED = "no handler"
+WRITTEN = "written over"
+PROTECTED = "protected"
+LOST = "lost at the printer"
+UNREAD = "lost at the keyboard"
+
+_LONGEST = 5_000
+"""Instructions of a turn."""
+_AGAIN = 200_000_000
+"""Instructions that are run again at most."""
+_SHORT = 20_000_000
+"""The same where nothing shows that the program has left its words."""
+_WAITS = {0o01: READER, 0o02: PUNCH, 0o03: KEY, 0o04: PRINTER}
+
+
+class _Step:
+    """An instruction of a loop: where, and which word."""
+
+    def __init__(self, address: int, word: int) -> None:
+        self.address = address
+        self.word = word
+
+    def leads_to(self, operation: int) -> int:
+        """Return the address in an instruction of this operation, direct; -1 for any other."""
+        direct = self.word >> 9 == operation and not self.word & INDIRECT
+        return refers_to(self.word, self.address) if direct else -1
+
+
+def explained(stop: Stop, history: History, words: Mapping[int, int]) -> Stop:
+    """Return the stop with what went wrong, the first cause first; `words` are those that were loaded."""
+    machine = history.machine
+    found: list[Why] = []
+    if stop.reason is Reason.PROTECT:
+        found.append(Why(PROTECTED, machine.ma))
+    turn: list[_Step] = []
+    if stop.reason in (Reason.IDLE, Reason.LIMIT):
+        with rewind.looking_back(history):
+            turn = _turn(machine)
+    if words and _may_have_left(stop, turn, machine, words):
+        found += _departure(history, words)
+    if not found and turn:
+        found += _interrupts(machine, turn)
+    if not found and stop.reason is Reason.IDLE:
+        found += _waits(machine, turn, words)
+    return stop._replace(why=(*found, *_lost(history)))
+
+
+def may_be_wrong(stop: Stop, machine: Machine, words: Mapping[int, int]) -> bool:
+    """Whether there may be more to say of a stop than where it is."""
+    teletype = machine.teletype
+    if teletype.transmitter.lost or teletype.receiver.lost:
+        return True
+    if stop.reason is Reason.HALT:
+        return bool(words) and machine.ma not in words
+    return stop.reason in (Reason.IDLE, Reason.LIMIT, Reason.PROTECT)
+
+
+def rerun(machine: Machine, began: Values) -> History:
+    """Return the history of a copy that runs again from the values `began`, with all of the reader's tape."""
+    again = copy(machine)
+    again.put(began)
+    again.teletype.reader.tape = machine.teletype.reader.tape
+    history = History(again)
+    while again.processor.clock < machine.processor.clock and again.instructions < machine.instructions:
+        again.run(seconds=(machine.processor.clock - again.processor.clock) / TICKS_PER_SECOND)
+    again.put(machine.values())
+    return history
+
+
+def _may_have_left(stop: Stop, turn: list[_Step], machine: Machine, words: Mapping[int, int]) -> bool:
+    """Whether it is worth while to run again and see whether the program left its words."""
+    if stop.reason is Reason.LIMIT:
+        return machine.instructions < _SHORT
+    halted = stop.reason is Reason.HALT and machine.ma not in words
+    strays = any(step.address not in words for step in turn)
+    return (halted or strays) and machine.instructions < _AGAIN
+
+
+def ended(stop: Stop, machine: Machine) -> str:
+    """Return how a run ended, and where."""
+    if stop.reason is Reason.HALT:
+        return f"HLT at {machine.ma:04o}"
+    if stop.reason is Reason.PROTECT:
+        return f"MEM PROT stopped a write at {stop.pc - 1 & 0o7777:04o}"
+    if stop.reason is Reason.TAPE_OUT:
+        return f"the reader ran out of tape, and the program waits for it at {stop.pc:04o}"
+    if stop.reason is not Reason.IDLE:
+        return f"stopped before {stop.pc:04o}"
+    waits = [why.what for why in stop.why if why.what in _WAITS.values() or why.what == NO_DEVICE]
+    if KEY in waits:
+        return f"the program waits for a key at {stop.pc:04o}"
+    if waits:
+        return f"the program waits at {stop.pc:04o} for a flag that nothing will raise"
+    return f"an endless loop at {stop.pc:04o} that nothing can end"
+
+
+def waits_for(machine: Machine) -> tuple[Why, ...]:
+    """Return what a machine waits for in a loop that nothing already on its way will end."""
+    return tuple(_tested(machine, [])) or (Why(LOOP, machine.pc, machine.pc),)
+
+
+def hands(machine: Machine, why: tuple[Why, ...]) -> list[str]:
+    """Return what would end a wait: "keyboard", "tape", "lever", "high-speed tape"."""
+    found: list[str] = []
+    for each in why:
+        if each.what == KEY:
+            reader = machine.teletype.reader
+            found += ["keyboard", "lever" if reader.loaded and not reader.on else "tape"]
+        elif each.what == READER:
+            found.append("high-speed tape")
+    return found
+
+
+def said(why: Why, listing: Listing, core: Core) -> str:
+    """Return the sentence for a reason."""
+    at = _line(listing, core, why.address)
+    if why.what == KEY:
+        return f"It waits for a key, or a tape in the reader, at {at}."
+    if why.what == READER:
+        return f"It waits for a frame from the high-speed reader at {at}: {_READER[why.number]}."
+    if why.what == PUNCH:
+        return f"It waits for the high-speed punch at {at}, which was sent nothing: a PLS raises its flag."
+    if why.what == PRINTER:
+        return f"It waits for the printer's flag at {at}: no character is on its way; a TLS raises the flag."
+    if why.what == NO_DEVICE:
+        option = "; the PC8/L, an option, has it" if why.code in (0o01, 0o02) else ""
+        return f"It waits for device {why.code:02o} at {at}: no such device is fitted{option}."
+    if why.what == LOOP:
+        where = f"at {at}" if why.other == why.address else f"from {why.other:04o} to {why.address:04o}"
+        return f"It goes round {where}: no flag is tested, no word changes, no HLT is reached."
+    if why.what == WITHIN:
+        return (
+            f"The subroutine at {why.other:04o} is called from within itself, at {at}: that puts another "
+            f"return address into {why.other:04o}, and it never returns to its first caller."
+        )
+    if why.what == FIRST_WORD:
+        return f"It executes a return address: {at} jumps to the first word of a subroutine; JMP I returns."
+    if why.what == UNCLEARED:
+        return f"No handler clears the flag of device {why.code:02o}: it interrupts again before {at}."
+    if why.what == LEFT:
+        return (
+            f"It left the words that were loaded: nothing was loaded at {why.other:04o}, "
+            f"behind {at}. Is an HLT or a jump missing?"
+        )
+    if why.what == JUMPED:
+        through = f" through {why.through:04o}" if why.through >= 0 else ""
+        return (
+            f"It left the words that were loaded: {at} goes{through} to {why.other:04o}, "
+            "where nothing was loaded."
+        )
+    if why.what == INTERRUPTED:
+        return f"Device {why.code:02o} interrupted it before {at}, and no handler was loaded at 0001."
+    if why.what == WRITTEN:
+        return f"It wrote over itself: {at} was loaded as {why.other:04o}."
+    if why.what == PROTECTED:
+        return "While MEM PROT is up, nothing writes into 7600 to 7777."
+    if why.what == LOST:
+        return (
+            f"The printer was sent {_counted(why.number, 'character')} while it was busy, the first "
+            f"at {at}: TSF, JMP .-1 waits until it is free."
+        )
+    return f"{_counted(why.number, 'character')} came in over one that was not read, the first before {at}."
+
+
+_READER = ("no RFC asked for one", "it has no tape", "its tape has run out")
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count:,} {what}{'' if count == 1 else 's'}"
+
+
+def _line(listing: Listing, core: Core, address: int) -> str:
+    """Return an address with what is there, without its comment."""
+    line = listing.line(address, core[address])
+    return f"{address:04o} ({' '.join(line[10:].partition('/')[0].split()) or f'{core[address]:04o}'})"
+
+
+def _turn(machine: Machine) -> list[_Step]:
+    """Run one turn of the loop that the machine is in, and return it."""
+    p = machine.processor
+    first = p.pc, p.lac
+    turn: list[_Step] = []
+    p.run = 1
+    while len(turn) < _LONGEST:
+        turn.append(_Step(p.pc, p.core[p.pc]))
+        p.instruction()
+        if (p.pc, p.lac) == first:
+            break
+    return turn
+
+
+def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> list[Why]:
+    """Return what keeps a machine in a loop within its words."""
+    for step in turn:
+        called, target = step.leads_to(JMS), step.leads_to(JMP)
+        if called >= 0 and all(other.address != called for other in turn) and _returns(turn, called) < 0:
+            return [Why(WITHIN, step.address, called)]
+        if target in words and _is_called(target, words) and machine.core[target] != words[target]:
+            return [Why(FIRST_WORD, step.address)]
+        if step.word >> 9 == JMP and step.word & INDIRECT:
+            pointer = refers_to(step.word, step.address)
+            call = machine.core[pointer] - 1 & 0o7777
+            inner = _Step(call, machine.core[call])
+            if inner.leads_to(JMS) == pointer and all(other.address != call for other in turn):
+                return [Why(WITHIN, call, pointer)]
+    places = [step.address for step in turn]
+    found = _tested(machine, turn)
+    written = [step for step in turn if words.get(step.address, step.word) != step.word]
+    if not found and written:
+        found.append(Why(WRITTEN, written[0].address, words[written[0].address]))
+    return found or [Why(LOOP, max(places), min(places))]
+
+
+def _interrupts(machine: Machine, turn: list[_Step]) -> list[Why]:
+    """Return which device interrupts again and again, if the loop is nothing but interrupts and returns."""
+    entries = [at for at, step in enumerate(turn) if step.address == 1]
+    flags = [device.code for device in machine.bus if device.flag]
+    if not entries or not flags or len(turn) == _LONGEST:
+        return []
+    return [Why(UNCLEARED, machine.core[0], code=flags[0])]
+
+
+def _returns(turn: list[_Step], pointer: int) -> int:
+    """Return where the loop jumps through `pointer`, -1 if nowhere."""
+    for step in turn:
+        through = step.word >> 9 == JMP and step.word & INDIRECT
+        if through and refers_to(step.word, step.address) == pointer:
+            return step.address
+    return -1
+
+
+def _is_called(address: int, words: Mapping[int, int]) -> bool:
+    return any(_Step(place, word).leads_to(JMS) == address for place, word in words.items())
+
+
+def _tested(machine: Machine, turn: list[_Step]) -> list[Why]:
+    """Return the flags that a loop tests, or that interrupt it, and that nothing raises."""
+    tested = {device.code: machine.pc for device in machine.bus if device.tested}
+    absent: dict[int, int] = {}
+    for step in turn:
+        code = step.word >> 3 & 0o77
+        if step.word >> 9 == IOT and step.word & 1 and code:
+            places = tested if machine.bus.device(code) else absent
+            places[code] = step.address
+    if machine.ion and 0o03 not in tested:
+        tested[0o03] = machine.pc
+    codes = [code for code in (0o03, 0o01, 0o02, 0o04) if code in tested]
+    found = [Why(_WAITS[code], tested[code], code=code, number=_state(machine, code)) for code in codes]
+    return found + [Why(NO_DEVICE, place, code=code) for code, place in absent.items() if not found]
+
+
+def _state(machine: Machine, code: int) -> int:
+    """Return which of _READER holds."""
+    reader = machine.highspeed.reader
+    return 0 if code != 0o01 else 1 if not reader.loaded else 2 if reader.empty() else 0
+
+
+def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
+    """Return how a program left its words first; [] if that is not in the history."""
+    machine = history.machine
+    since, now = machine.processor.started, machine.processor.clock
+    with rewind.looking_back(history):
+        history.go_to_tick(max(since, history.snapshots()[-1].clock))
+        core = machine.processor.core[:]
+        own = set(words)
+
+        def left() -> bool:
+            if machine.ir == JMS and machine.ma == machine.pc - 1:
+                own.add(machine.ma)  # the first word of what it calls
+            return machine.pc not in own and machine.core[machine.pc] == core[machine.pc]
+
+        places = {address for address in range(0o10000) if address not in words}
+        if not rewind.come_to(history, now, places, left):
+            return []
+        to, flags = machine.pc, [device.code for device in machine.bus if device.flag]
+        history.go_to_instruction(machine.instructions - 1)
+        return _left(machine, to, words, flags)
+
+
+def _left(machine: Machine, to: int, words: Mapping[int, int], flags: list[int]) -> list[Why]:
+    """Return how the instruction that comes next leads to address `to`, if not a device whose flag is up."""
+    address = machine.pc
+    word = machine.core[address]
+    operation, pointer = word >> 9, refers_to(word, address) if word >> 9 <= JMP else -1
+    written = [Why(WRITTEN, address, words[address])] if words.get(address, word) != word else []
+    if operation in (JMS, JMP):
+        target = pointer
+        if word & INDIRECT:
+            target = machine.core[pointer] + autoindexed(pointer) & 0o7777
+        if to == (target + (operation == JMS)) & 0o7777:
+            return [*written, Why(JUMPED, address, to, pointer if word & INDIRECT else -1)]
+    elif to in (address + 1 & 0o7777, address + 2 & 0o7777):
+        return [Why(LEFT, address, to)]
+    return [Why(INTERRUPTED, address, to, code=flags[0] if flags else 0)]
+
+
+def _lost(history: History) -> list[Why]:
+    """Return what was lost at the printer and at the keyboard."""
+    teletype = history.machine.teletype
+    found: list[Why] = []
+    for what, device in ((LOST, teletype.transmitter), (UNREAD, teletype.receiver)):
+        if device.lost and device.lost_at >= history.snapshots()[-1].clock:
+            with rewind.looking_back(history):
+                history.go_to_tick(device.lost_at)
+                place = history.machine.ma if what == LOST else history.machine.pc
+            found.append(Why(what, place, number=device.lost))
+    return found

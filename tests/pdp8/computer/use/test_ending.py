@@ -1,0 +1,178 @@
+"""Why a program ended: programs that die in many ways, and the same sentence in every front end."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from pdp8.computer.hardware.processor import Processor
+from pdp8.computer.machine import Machine
+from pdp8.computer.past.history import History
+from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.use import ending
+from pdp8.computer.use.program import Program, read
+from pdp8.computer.use.trace import Listing
+from pdp8.console.session import Session
+from pdp8.monitor.commands import do
+from pdp8.monitor.prompt import Monitor
+from tests.conftest import Call
+from tests.pdp8.computer.bench import machine
+
+KSF, RSF, PSF, TSF = ("6031 5200", "6011 5200", "6021 5200", "6041 5200")
+NO_CHARACTER = "no character is on its way"
+
+
+class Death(NamedTuple):
+    """A program, what else is done to the machine, how its run ends, and the sentences that say why."""
+
+    name: str
+    also: str
+    source: str
+    ended: str
+    said: list[str]
+
+    @property
+    def program(self) -> Program:
+        return read(self.source.encode(), "x")
+
+
+def _deaths() -> list[Death]:
+    _, *pieces = (Path(__file__).parent / "deaths.txt").read_text().split("== ")
+    found = []
+    for piece in pieces:
+        head, _, rest = piece.partition("\n")
+        source, _, told = rest.partition("= ")
+        end, *said = told.rstrip().split("\n- ")
+        name, _, also = head.partition(" ")
+        found.append(Death(name, also, source, end, said))
+    return found
+
+
+DEATHS = {death.name: death for death in _deaths()}
+every_death = pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
+
+
+def prepared(death: Death) -> tuple[Machine, History]:
+    """Return the machine with the program, started, and its history."""
+    m = Machine()
+    m.load(death.program.words)
+    m.start(0o200)
+    history = History(m)
+    m.panel.mem_prot = death.also == "mem_prot"
+    if death.also == "keys":
+        m.teletype.keyboard.press(b"\310\311")
+    return m, history
+
+
+def explained(death: Death) -> tuple[Stop, Machine]:
+    m, history = prepared(death)
+    return ending.explained(m.run(seconds=2), history, death.program.words), m
+
+
+class Addresses:
+    """The addresses of the instructions that a machine executed."""
+
+    def __init__(self) -> None:
+        self.all: list[int] = []
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        if processor.state == 0:
+            self.all.append(processor.ma)
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        pass
+
+
+@every_death
+def test_it_is_true_by_the_trace(death: Death) -> None:
+    """Where it left its words, by what was executed; and the machine stands as it stood."""
+    stop, after = explained(death)
+    m, _ = prepared(death)
+    m.watch.observer = trace = Addresses()
+    if m.run(seconds=2, instructions=200_000).reason is not Reason.LIMIT:
+        assert after.values()["core"] == m.values()["core"]
+    executed = trace.all
+    words = death.program.words
+    strange = next((at for at, address in enumerate(executed) if address not in words), None)
+    for why in stop.why:
+        if why.what in (ending.LEFT, ending.JUMPED, ending.INTERRUPTED):
+            assert strange is not None
+            assert executed[strange] == why.other
+            assert why.what == ending.INTERRUPTED or executed[strange - 1] == why.address
+        else:
+            assert strange is None
+        if why.what not in (ending.UNREAD, ending.PROTECTED):
+            assert why.address in executed
+
+
+@every_death
+def test_run_says_it(death: Death, call: Call) -> None:
+    Path("x").write_text(death.source)
+    if death.also:
+        pytest.skip("nobody is at the panel or the keyboard")
+    _, _, said = call("pdp8 run x --max-time 2")
+    first, *rest = (line.removeprefix("pdp8 run: ") for line in said.splitlines())
+    assert rest == death.said
+    assert first.startswith(death.ended) or death.name == "key", "it has a tape, which is empty"
+
+
+@every_death
+def test_the_monitor_says_it(death: Death) -> None:
+    lines: list[str] = []
+    monitor = Monitor(lines.append)
+    monitor.machine.load(death.program.words)
+    monitor.listing = death.program.listing
+    for line in [
+        *["set mem_prot 1"] * (death.also == "mem_prot"),
+        "go 200 0",
+        *['keyboard now "HI"'] * (death.also == "keys"),
+        "run 2",
+    ]:
+        do(monitor, line)
+    assert lines[-len(death.said) :] == death.said or not death.said
+
+
+@every_death
+def test_the_panel_says_it(death: Death) -> None:
+    m, _ = prepared(death)
+    session = Session(m, clock=lambda: 0.0)
+    session.listing = death.program.listing
+    while session.machine.elapsed < 2 and session.said in ("running", "standing still"):
+        session.advance(0.5)
+    if death.ended != "still running":
+        assert session.said == ". ".join([death.ended, *death.said])
+
+
+@pytest.mark.parametrize(
+    ("words", "tape", "said", "hands"),
+    [
+        (KSF, None, "a key, or a tape in the reader", ["keyboard", "tape"]),
+        (KSF, b"", "a key, or a tape in the reader", ["keyboard", "tape"]),
+        ("6032 6031 5201", b"", "a key, or a tape in the reader", ["keyboard", "tape"]),
+        (RSF, None, "from the high-speed reader at 0200 (RSF): it has no tape", ["high-speed tape"]),
+        ("6014 6011 5201", b"", "its tape has run out", ["high-speed tape"]),
+        (RSF, b"AB", "no RFC asked for one", ["high-speed tape"]),
+        (PSF, None, "It waits for the high-speed punch", []),
+        (TSF, None, NO_CHARACTER, []),
+        ("6031 7410 5206 6041 5200 5206 7402", None, NO_CHARACTER, ["keyboard", "tape"]),
+        ("6001 5201", None, "It waits for a key", ["keyboard", "tape"]),
+        ("5200", None, "It goes round at 0200", []),
+    ],
+)
+def test_what_is_waited_for(words: str, tape: bytes | None, said: str, hands: list[str]) -> None:
+    """And nothing else is named."""
+    m = machine(words, tape, highspeed="6011" in words or "6021" in words)
+    assert m.run(seconds=9).reason in (Reason.IDLE, Reason.TAPE_OUT)
+    waits = ending.waits_for(m)
+    sentences = " ".join(ending.said(why, Listing(), m.core) for why in waits)
+    assert said in sentences
+    assert ending.hands(m, waits) == hands
+    if hands == ["high-speed tape"] or not hands:
+        assert "a key" not in sentences
+
+
+def test_a_lever_at_stop() -> None:
+    m = machine(KSF, b"AB")
+    m.teletype.reader.lever(False)
+    m.run(seconds=9)
+    assert ending.hands(m, ending.waits_for(m)) == ["keyboard", "lever"]
