@@ -216,7 +216,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
     while at < len(frames):
         items, end, damage = _items(frames, at, labels)
         if not sections and labels:
-            start = labels[-1].stop  # past a title, which no loader is sure to pass over
+            start = max(start, labels[-1].stop)  # past a title, which no loader is sure to pass over
         closing = _checksum_at(frames, items) if damage else 0
         if closing:
             sections.append(_close(items[: closing + 1]))
