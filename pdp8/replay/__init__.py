@@ -2,7 +2,7 @@
 
 day           the operator's hands: from part program to milled part, act by act
 script        any instant of a day again
-story         what is told of it: a sentence for each act
+story         a sentence for each act, for a reader who has never seen one
 afternoon     the whole day in one call, measured
 figures       the thesis's figures beside the afternoon's
 implied       what the thesis's figures imply: feed, range, size, allowance

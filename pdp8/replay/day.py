@@ -32,7 +32,7 @@ ARRANGED: Final = (
     "The thesis gives minutes for punching, translating and cutting; the others, and that it was one "
     "afternoon, are our arrangement."
 )
-"""To be said where an afternoon begins. The Talyrond stood, it seems, at Mohawk College, whose
+"""The note at the beginning of an afternoon. The Talyrond was, it seems, at Mohawk College, whose
 metrology facilities the thesis gives thanks for; the way there is left out."""
 
 OPENS: Final = 13 * 3600

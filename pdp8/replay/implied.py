@@ -1,8 +1,9 @@
 """Explanations of the thesis's minutes, side by side, and of sizes and ranges that it does not give.
 
-docs/implied.md shows the tables; `python -m pdp8.replay.implied` prints them. Nothing else depends on them.
+docs/implied.md shows the tables; `python -m pdp8.replay.implied` prints them. thesis/inputs.txt has the
+conjectures that other numbers depend on.
 
-Minutes are those of the contour alone, as Chapter 7's: its blocks at 2 s each, and the milling.
+Minutes are those of the contour, as in Chapter 7: its blocks at 2 s each, and the milling.
 """
 
 from collections.abc import Iterator

@@ -13,7 +13,7 @@ evidence     the surviving programs line by line: scan, ours, why; scan/ has the
 supplied     which characters the scan does not show, and how each output marks them
 tei          the same, for editors
 reading      what a legible line of the scan says: six rules
-facsimile    listings B, C and D as they stood on their pages
+facsimile    listings B, C and D as they were on their pages
 edition      the tables of docs/thesis.md and docs/restoration.md, and the sources of programs/
 
 The makers:

@@ -5,7 +5,7 @@ catalogue.toml has them:
     number   as in the thesis; figures and tables share one count, an appendix is a letter. An item without
              a number is called by its chapter: ch3-drilling
     page     the thesis's; counted, between the numbers that the scan shows
-    state    from the text           all of it stands in the text or in a legible table or listing
+    state    from the text           all of it is in the text, or in a legible table or listing
              our drawing             the original is lost or a photograph; we drew what the text says of it
              fitted or conjectured   some of what it shows is fitted to figures of the thesis, or chosen
              lost                    nothing can give it back
@@ -14,7 +14,7 @@ catalogue.toml has them:
     maker    the function, of a module of this package, that makes it
     given    what that is called with
     tape     the function that makes the tape it was cut from, where that is no part's own
-    across   whether its pictures stand side by side, or one above the other
+    across   whether its pictures are side by side, or one above the other
 
 Source: the thesis; the captions and the text of the scan.
 """

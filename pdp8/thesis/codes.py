@@ -64,5 +64,5 @@ def _chart_block(sheet: Sheet, left: float, block: list[tuple[str, int]]) -> Non
 
 
 def _column(channel: float) -> float:
-    """Return where a channel stands: 8 first, the sprocket holes between 4 and 3."""
+    """Return the place of a channel across the tape: 8 first, the sprocket holes between 4 and 3."""
     return _PITCH * (8 - channel if channel > 3.5 else 9 - channel if channel < 3.5 else 5)

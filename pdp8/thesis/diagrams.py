@@ -2,7 +2,7 @@
 
 These are 2.1, 6.2, 7.4 and 9.1 (machine, construction, die, test) and the flow charts 3.5, 4.1, 5.2 (from the
 text), 5.3 and 6.1 (from the programs of Appendices B and C). The scan has lost them all. Each part that is
-drawn has its name or its dimension in the text; where things stand, and how large they are, is ours.
+drawn has its name or its dimension in the text; places and sizes are ours.
 """
 
 from collections.abc import Iterator

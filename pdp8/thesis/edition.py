@@ -5,7 +5,7 @@
     <!-- variants 106 -->    which other words would do the work of that page's, and why ours are preferred
     <!-- evidence eia.pal 105 106 107 -->     the rows of these pages; and of these classes, if any are named
     <!-- rescan all -->   the conjectures, and what another reading would change
-    <!-- end -->          what stands between is replaced
+    <!-- end -->          what is between is replaced
 
 `make evidence` runs this as a program, in the project's folder.
 """
@@ -77,7 +77,7 @@ def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
 
 
 def _variants(page_: str) -> Iterator[tuple[str, ...]]:
-    """Yield the words of a page that others may replace: the evidence's reasons stand for ours."""
+    """Yield the words of a page that others may replace: with our reasons from the evidence."""
     text = (files("pdp8.thesis") / "scan" / "variants.txt").read_text(encoding="utf-8")
     lines = (line.split("|") for line in text.splitlines() if not line.startswith("#"))
     others = {address.strip(): (count.strip(), names.strip()) for address, count, names in lines}

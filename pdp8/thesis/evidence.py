@@ -5,7 +5,7 @@ One file an artefact, scan/NAME.txt, feeds sources, facsimiles and tables. A row
     page | class | scan | ours | reason
     107  | damaged | 0103 0040 PQ.40 | P0,40 | 0 and a comma misread; P0, beside P1
 
-    scan    the scan's line, white space apart; ^ is one more line of ours from the row above; after ¦ stands
+    scan    the scan's line, white space apart; ^ is one more line of ours from the row above; after ¦ is
             what the scan has elsewhere on the page
     ours    the line of the source without its layout and mark, `/` before a note; = is what `reading` reads
 
@@ -20,7 +20,7 @@ A blank line is one in the artefact, # opens a comment.
     ours         has no such line: a comment of ours
     none         has a line that does not belong to the listing: a heading, a page number, dirt
 
-/W is implied by the word that stands there, /R by a twin, a header or a pattern.
+/W is implied by the word beside it, /R by a twin, a header or a pattern.
 Source: the thesis, pages 13 and 14 (Chapter 2), 37 to 39 (4), 44 and 45 (5), 105 to 113 (Appendices B to D).
 """
 
@@ -79,7 +79,7 @@ def _row(line: str, artefact: str) -> Row:
 
 
 def read(scan: str, artefact: str) -> str:
-    """Return what a legible line of the scan says, as it stands in the column `ours`."""
+    """Return what a legible line of the scan says, in the form of the column `ours`."""
     if artefact in TABLES:
         return scan.replace(" ¦", "").replace(" --- ", " ")
     return pal_line(scan)[1] if artefact.endswith(".pal") else fortran_line(scan.replace(" ¦", ""))

@@ -1,11 +1,11 @@
-"""Listings B, C and D as they stood on their pages; what the scan lost is ours, and in brackets.
+"""Listings B, C and D as they were on their pages; what the scan lost is supplied by us, in brackets.
 
     0244  1100  [N1,]    [TAD HOLD]       address, word and source, as PAL's third pass prints them
     335 30 FORMAT([I]3,[I]1,...)          line number, label, statement; the author's note in column 34
 
 Zeros have the printer's slash. Pages end with their number and a form feed. Not kept: the places of blank
 lines in Appendix B, which the scan does not show. Tags that are lost are ours (docs/restoration.md). Of the
-numbers of these pages the scan has 105 alone.
+numbers of these pages the scan has only 105.
 
 Sources: the evidence; for the columns of the FORTRAN listings page 109, which the scan has with its layout.
 """

@@ -1,6 +1,6 @@
 """The page of all items: what the thesis says of each, beside what was made. One file, without scripts.
 
-Pictures are inside the page, so that it can be sent alone; long printouts are cut short and name their file.
+Pictures are inside the page, which needs no other file; long printouts are cut short and name their file.
 """
 
 from base64 import b64encode
@@ -64,7 +64,7 @@ def _article(item: Item, made: Made | None) -> str:
 
 
 def _with_code(text: str) -> str:
-    """Return text as HTML, what stands between back quotes as code."""
+    """Return text as HTML, what is between back quotes as code."""
     parts = escape(text).split("`")
     return "".join(f"<code>{part}</code>" if number % 2 else part for number, part in enumerate(parts))
 

@@ -1,4 +1,4 @@
-"""Every number of the thesis's chapters: where it stands, what we make of it, and what makes it.
+"""Every number of the thesis's chapters: its place, our value of it, and what makes that.
 
 numbers.txt has them, a line each:
 
@@ -12,7 +12,7 @@ The state of a number follows from what its measure is made from, and from wheth
 (`inputs.state`):
 
     from the text           the software takes it from the thesis
-    computed                comes out of what runs here, from parameters alone, to its last place or 5 %
+    computed                what runs here computes it from parameters, to its last place or 5 %
     fitted or conjectured   an input was fitted to the thesis or chosen, whether ours agrees or not
     differs                 comes out so, and is another: see errata and implied
     not made here           history, another's measurement, or a specification that is not emulated
@@ -37,7 +37,7 @@ _MARKED = re.compile(r"«(.*?)»(?:‹(.*?)›)?")
 
 
 class Number(NamedTuple):
-    """A number of the thesis; `words` are the scan's, `said` is the number as it stands there or is read."""
+    """A number of the thesis; `words` are the scan's, `said` is the number as it is there or is read."""
 
     page: int
     words: str

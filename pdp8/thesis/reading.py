@@ -4,8 +4,8 @@
 2  A point is read as `•`; `$...$`, `\\emptyset` and `\\bullet` are formulas that the scan's reader saw.
 3  Spaces within a number or a statement come and go.
 4  `**` around a line number or a note is boldface the scan's reader saw; an exponent's `**` follows a name.
-5  A mark that stands alone is dirt: in PAL `-`, `/`, `=`, `,`, `•`; in FORTRAN `.`, `·` and `۰.`.
-6  A line number that stands behind its statement, and a note that stands before it, go to their places.
+5  A mark by itself is dirt: in PAL `-`, `/`, `=`, `,`, `•`; in FORTRAN `.`, `·` and `۰.`.
+6  A line number behind its statement, and a note before it, are moved to their places.
 
 A line that needs more than these is damaged. Nothing here knows what the programs should say.
 """
@@ -42,7 +42,7 @@ def pal_line(scan: str) -> tuple[str, str]:
 def fortran_line(scan: str) -> str:
     """Return a line of a FORTRAN listing as number, label, statement and note, one space between them.
 
-    Number and note may stand on either side of the statement in the scan.
+    Number and note may be on either side of the statement in the scan.
     """
     text = _FORMULA.sub(lambda formula: formula[1].replace(" ", ""), scan)
     text = _BOLD.sub(r"\1", text.replace("\\emptyset", "Ø").replace("\\bullet", "•"))

@@ -4,7 +4,7 @@
     <mark class="supplied">JMS CHK</mark> in HTML: another colour
     <supplied>JMS CHK</supplied>          in TEI (`tei`)
 
-What is supplied follows from the evidence alone: a row's scan, read by the six rules, beside ours.
+What is supplied follows from the evidence: a row's scan, read by the six rules, beside ours.
 """
 
 import re
@@ -51,7 +51,7 @@ def _pal_shown(scan: str, *, second: bool) -> tuple[str, str]:
     digits, source = pal_line(scan)
     words = source.translate(_ZEROS).split()
     merged = [word for word in words if re.fullmatch("[0-7]{4}", word)]
-    if len(merged) == 2:  # both addresses stand before both words
+    if len(merged) == 2:  # both addresses, then both words
         digits = digits[4:] + merged[1] if second else digits[:4] + merged[0]
     return digits, "".join(word for word in words if word not in merged)
 
@@ -88,7 +88,7 @@ def bracketed(line: str, supplied: list[bool]) -> str:
 
 
 def _put(text: list[str], bracket: str, at: int, *, before: bool) -> None:
-    """Put a bracket before or behind a character, in the place of a space if two stand there."""
+    """Put a bracket before or behind a character, in place of a space if there are two."""
     beside, next_ = (at - 1, at - 2) if before else (at + 1, at + 2)
     if min(beside, next_) >= 0 and text[beside : beside + 1] == text[next_ : next_ + 1] == [" "]:
         text[beside] = bracket

@@ -1,6 +1,6 @@
 """Figures 7.1 to 7.5 and 8.2 to 8.5: the parts as the Hydra-Point cut them, and what the instruments showed.
 
-Where the thesis has a photograph stands the plot of the path; polar graphs and traces are the instruments' of
+Plots of the path replace the thesis's photographs; polar graphs and traces are made by the instruments of
 nc/. Everything comes from tapes that went through eia.pal.
 """
 
