@@ -14,6 +14,7 @@ scores     marks as a table for people;   records   as CSV, JSON and JUnit;     
 alike      which answers look alike
 course     the bundled exercises in the order of a class
 cards      cards to print                 drill     drills at the panel, and their coach
+minute    the first minute at the panel, guided
 exercises/ the bundled ones, and the functions that draw for them
 
 exercise, answer, trial, marking, where, diagnosis, evidence, hints and values are in the subset that pages

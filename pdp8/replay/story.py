@@ -1,7 +1,7 @@
 """The story of an afternoon for somebody who has never seen one: a name and a sentence for each act.
 
-The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement: the first
-sentence says so. The last sets what the thesis measured beside ours, and says why ours is larger.
+The figures are the afternoon's own. That all of it was done in one afternoon is our arrangement: the opening
+says so. The last sets what the thesis measured beside ours, and says why ours is larger.
 """
 
 from typing import Final, NamedTuple
@@ -36,7 +36,8 @@ def story(afternoon: Afternoon) -> list[Chapter]:
     """Return the opening, and a chapter for each act."""
     made = _MADE.get(afternoon.part, "a part")
     opening = (
-        f"1971. A column of numbers becomes {made} in metal. That it was one afternoon is our arrangement."
+        f"McMaster University, 1971: for his thesis, Moses Wong cuts {made} in metal by computer. "
+        "That it was one afternoon is our arrangement."
     )
     return [
         Chapter("", opening),

@@ -15,11 +15,12 @@ loosened      the circle within another tolerance, by the whole chain
 curve         the page that teaches the method: curve.mjs, its figures in curve/, method what they compute
 shell.html    what is around every page   base.css             how it looks
 bench.html    what stands where           workbench.css        how that looks
-room/         what a visitor sees first: room.mjs leads through the afternoon by a tour, a camera, a scene;
+room/         what a visitor sees first: first.html, before any script; then room.mjs leads through the
+              afternoon by a tour, a camera, a scene;
               what is drawn: panel, teletype, tape, mill, plate, wall; ink, type; sound; hands, its buttons
 panel.mjs     lamps and switches          written.mjs    how things are written
 tape.mjs      tapes under their heads     cutter.mjs     the staircase in its band
 sheet.mjs     drawing what has changed    pictures.mjs   when the next picture is due
-packed.mjs    what a link holds            svg.mjs        places as drawings
+svg.mjs       places as drawings
 html.mjs      HTML in which what is put is text: the one way to write any
 """

@@ -36,18 +36,16 @@ globalThis.pack = (() => {
     for (let at = 0; at < data.length; at++) data[at] = plain.charCodeAt(at); // Uint8Array.from takes five times as long
     return data;
   };
-  const unpacked = (id) => {
-    const stream = new Blob([bytes(document.getElementById(id).textContent)]).stream();
-    return new Response(stream.pipeThrough(new DecompressionStream("deflate-raw"))).text();
-  };
+  const unpacked = (packed) => new Response(new Blob([bytes(packed)]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).text();
+  const content = (id) => unpacked(document.getElementById(id).textContent);
   const run = async (id) => {
-    const code = await unpacked(id);
+    const code = await content(id);
     const script = document.createElement("script");
     script.className = "code";
     script.textContent = policy ? policy.createScript(code) : code;
     document.body.append(script);
   };
-  const record = async (id) => JSON.parse(await unpacked(id));
+  const record = async (id) => JSON.parse(await content(id));
   run("code");
-  return { record: record("record"), later: (module) => run("later").then(module), more: () => record("more") };
+  return { unpacked, record: record("record"), later: (module) => run("later").then(module), more: () => record("more") };
 })();

@@ -200,13 +200,13 @@ class Bench {
     try {
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
-      else if (text.startsWith("{")) this.#written(name, parsed(text), text);
+      else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
     } catch (error) {
-      const said = String(error.message ?? error);
+      const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : String(error.message ?? error);
       this.say(said.startsWith(name) ? said : `${name}: ${said}`);
     }
   }
@@ -394,15 +394,6 @@ class Bench {
     this.editor.run();
     this.editor.enter();
     for (const place of [find("paper"), find("gutter")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
-  }
-}
-
-/** What a text in JSON says. Throws where it is damaged. */
-function parsed(text) {
-  try {
-    return JSON.parse(text);
-  } catch (error) {
-    throw new Error("damaged or cut short: it begins as JSON, and is none", { cause: error });
   }
 }
 

@@ -1,7 +1,5 @@
 // Links: #s= holds a program, the machine, an exercise, a part; #exercise= the name of a bundled one. A bundled tape goes by its
-// name, and of the machine only what is not as at power-up.
-
-import { packed, unpacked } from "../packed.mjs";
+// name, and of the machine only what is not as at power-up. It is JSON, compressed (deflate) and in base64.
 
 export const LONGEST = 8000; // characters of a link that mail and chat leave whole
 
@@ -12,7 +10,7 @@ export async function opened() {
   if (!text) return null;
   if (text.length > 2 * LONGEST) throw new Error(`it has ${text.length} characters; ${2 * LONGEST} are allowed`);
   try {
-    return await unpacked(text);
+    return JSON.parse(await pack.unpacked(text.replaceAll("-", "+").replaceAll("_", "/")));
   } catch (error) {
     throw new Error("it is damaged or cut short", { cause: error });
   }
@@ -20,7 +18,9 @@ export async function opened() {
 
 /** The address of a page with `shared` in it. */
 export async function linked(shared, page) {
-  const text = await packed(shared);
+  const stream = new Blob([JSON.stringify(shared)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const data = new Uint8Array(await new Response(stream).arrayBuffer());
+  const text = btoa(Array.from(data, (byte) => String.fromCharCode(byte)).join(""));
   return `${page}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 

@@ -34,11 +34,9 @@ export class Hands {
     });
   }
 
-  /** Mark what is to be touched: bits of the register, or a key. */
-  due(due) {
-    this.buttons.forEach((button, index) => {
-      button.ariaCurrent = (button.dataset.key ? button.dataset.key === due : due & (0o4000 >> index)) ? "step" : null;
-    });
+  /** Mark what is to be touched: a key, or bits of the register. */
+  due(due, bits) {
+    this.buttons.forEach(({ dataset }, index, all) => (all[index].ariaCurrent = (dataset.key ? dataset.key === due : bits & (0o4000 >> index)) ? "step" : null));
   }
 
   /** Say how the switches stand. */

@@ -46,8 +46,6 @@ function slab(c, x, y, w, h, thick, colour, edge) {
   c.fillRect(x, y, w, h);
 }
 
-const IDEAL = "#ffb43b", INK = "#2b2620";
-
 /** The ideal curve over what was milled, called `name`, and a ruler in inches below it and at its left, to eighths. */
 export function drawMeasured(c, ideal, name) {
   const [xs, ys] = [0, 1].map((axis) => ideal.map((point) => point[axis]));
@@ -61,7 +59,7 @@ export function drawMeasured(c, ideal, name) {
     words(c, text, 0, 0, larger, { align: "center", colour, weight: 600, spread: 0 });
     c.restore();
   };
-  Object.assign(c, { strokeStyle: IDEAL, lineWidth: size / 10, lineJoin: "round" });
+  Object.assign(c, { strokeStyle: "#ffb43b", lineWidth: size / 10, lineJoin: "round" });
   c.beginPath();
   for (const [px, py] of ideal) c.lineTo(px, py);
   c.stroke();
@@ -72,11 +70,11 @@ export function drawMeasured(c, ideal, name) {
     c.translate(left - (turned ? size * 4.6 : 0), bottom - (turned ? 0 : size * 4.6));
     c.fillStyle = "#d9d3c2";
     c.fillRect(0, 0, turned ? size * 2 : long + size, turned ? long + size : size * 2);
-    c.fillStyle = INK;
+    c.fillStyle = "#2b2620";
     for (let at = 0; at <= long; at += 125) {
       const mark = size * (at % 1000 ? (at % 500 ? 0.4 : 0.6) : 0.9);
       c.fillRect(turned ? size * 2 - mark : at - 3, turned ? at - 3 : size * 2 - mark, turned ? mark : 6, turned ? 6 : mark);
-      if (at % 1000 === 0) label(String(at / 1000), turned ? size * 0.55 : at + (at ? 0 : size * 0.4), turned ? at - (at ? size * 0.35 : 0) : size * 0.25, INK);
+      if (at % 1000 === 0) label(String(at / 1000), turned ? size * 0.55 : at + (at ? 0 : size * 0.4), turned ? at - (at ? size * 0.35 : 0) : size * 0.25, "#2b2620");
     }
     c.restore();
   }
@@ -87,22 +85,11 @@ export function drawCutter(c, radius, down, turns) {
   const { x, y } = CENTRE;
   c.save();
   c.translate(x, y);
-  c.fillStyle = "rgba(0,0,0,.35)";
-  const far = radius * (down ? 0.15 : 0.5);
-  disc(c, far, far, radius * 1.1);
   c.rotate(turns * 2 * Math.PI);
-  c.fillStyle = shade(c, 0, 1, ["#e9eeee", "#7b8487", "#2c3133"], [-radius, -radius, radius, radius]);
-  disc(c, 0, 0, radius);
+  box(c, -radius, -radius, 2 * radius, 2 * radius, radius, shade(c, 0, 1, ["#e9eeee", "#7b8487", "#2c3133"], [-radius, -radius, radius, radius]), down ? radius / 2 : 2 * radius);
   c.fillStyle = "rgba(20,24,26,.75)";
-  c.fillRect(-radius, -radius / 10, 2 * radius, radius / 5);
-  c.fillRect(-radius / 10, -radius, radius / 5, 2 * radius);
+  for (const [w, h] of [[radius, radius / 10], [radius / 10, radius]]) c.fillRect(-w, -h, 2 * w, 2 * h);
   c.restore();
-}
-
-function disc(c, x, y, radius) {
-  c.beginPath();
-  c.arc(x, y, radius, 0, 7);
-  c.fill();
 }
 
 /** The far end of the light. */

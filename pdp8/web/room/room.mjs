@@ -9,6 +9,7 @@ import { clock, Kind } from "../../replay/day.mjs";
 import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
+import { Minute } from "../../lessons/minute.mjs";
 import { sent } from "../../computer/use/keys.mjs";
 import { bounds } from "../bench/path.mjs";
 import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
@@ -18,7 +19,6 @@ import { html, put } from "../html.mjs";
 import { inWords } from "../panel.mjs";
 import { DESK, find, grouped, readdress } from "../written.mjs";
 import { Camera } from "./camera.mjs";
-import { Guide } from "./guide.mjs";
 import { Hands } from "./hands.mjs";
 import { keepsake } from "./keepsake.mjs";
 import { drawCutter, drawDusk, drawMeasured, drawSpindle, drawTable, fitted, lay, TILT } from "./mill.mjs";
@@ -46,7 +46,7 @@ export class Room {
     this.scene = new Scene(this.place.querySelector("canvas"));
     this.camera = new Camera();
     this.filaments = new Filaments();
-    this.guide = new Guide();
+    this.guide = new Minute(matchMedia("(hover: hover) and (pointer: fine)").matches);
     this.page = new Page();
     this.still = matchMedia("(prefers-reduced-motion: reduce)").matches; // nothing shall move
     this.at = { reader: 0, punch: 0 };
@@ -81,7 +81,11 @@ export class Room {
     this.#resize();
     this.go({ value: 0 });
     this.playing = !this.still && tick === null;
-    if (tick !== null) this.#at(tick);
+    if (tick !== null) {
+      this.tour.at(tick);
+      afternoon.lead(tick);
+      this.#tell();
+    }
     this.#buttons();
     bench.clock.pictures.stop();
   }
@@ -109,14 +113,6 @@ export class Room {
     this.samples = null;
     this.#tell();
     this.#buttons();
-    this.#wake();
-  }
-
-  /** Be at an instant, in the act to which it belongs. */
-  #at(tick) {
-    this.tour.at(tick);
-    this.bench.afternoon.lead(tick);
-    this.#tell();
     this.#wake();
   }
 
@@ -162,25 +158,24 @@ export class Room {
   /** Say what was done and what comes next, and mark what is to be touched. */
   #guide() {
     const { bench, bench: { machine, writer }, guide, hands, place } = this;
-    const { due, say } = guide.next(machine);
-    const { did, state: { made, run, waits } } = guide;
+    const { say, key, switches } = this.step = guide.next(machine);
+    const { did, seen: { made, run, sr, waits } } = guide;
     writer.text(place.querySelector(".did"), did);
     writer.text(place.querySelector(".lamps"), run ? "running" : inWords(machine));
     this.#tell(say);
-    const before = this.due;
-    this.due = due;
-    hands.due(typeof due === "number" ? due ^ machine.processor.sr : due);
-    if (due !== before) {
+    hands.due(key, switches < 0 ? 0 : switches ^ sr);
+    if (say !== this.asked) {
       place.querySelector(".told").scrollTop = 0;
       hands.place.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
     }
+    this.asked = say;
     const begins = waits && !this.waits;
     if (begins || !waits) this.typing = waits;
     this.waits = waits;
-    const shown = `${due === undefined} ${waits} ${Boolean(made)} ${this.typing}`;
+    const shown = `${waits} ${Boolean(made)} ${this.typing}`;
     if (shown === this.choice) return;
     this.choice = shown;
-    find("help").hidden = due === undefined;
+    find("help").hidden = waits;
     find("mine").parentElement.hidden = find("turn").hidden = !waits;
     find("see").hidden = !made;
     find("turn").textContent = this.typing ? "To the panel" : "To the punch";
@@ -190,7 +185,7 @@ export class Room {
     find("mine").focus({ preventScroll: true });
     if (made) return;
     this.#paper(machine.teletype.printer.frames.length); // what comes is the visitor's alone
-    if (guide.from) bench.teletype.tear({ value: "teletype" });
+    if (guide.start) bench.teletype.tear({ value: "teletype" });
   }
 
   /** Look from the punch at the panel, or back. */
@@ -201,11 +196,9 @@ export class Room {
 
   /** Do for the visitor what comes next: set the switches, and press the key. */
   help() {
-    const { bench, due } = this;
-    if (typeof due === "string") return bench.switches.press(due);
-    bench.touch(({ panel }) => (panel.sr = due));
-    this.#guide();
-    return this.due === due ? undefined : this.help();
+    const { bench, step: { switches } } = this;
+    if (switches >= 0) bench.touch(({ panel }) => (panel.sr = switches));
+    bench.switches.press(this.step.key);
   }
 
   /** The keyboard presses what is added to the field. */
@@ -217,7 +210,7 @@ export class Room {
 
   /** Show the visitor's tape, as a picture to keep. */
   async see() {
-    const { guide: { state: { frames, made } } } = this;
+    const { guide: { seen: { frames, made } } } = this;
     if (!made) return;
     const picture = await keepsake(frames, made).convertToBlob();
     const box = find("tape"), link = box.querySelector("a"), image = box.querySelector("img");

@@ -55,14 +55,8 @@ export class Tour {
   at(tick) {
     const { acts } = this.day;
     const turn = acts.findIndex(({ ends }) => tick < ends);
-    this.go(turn < 0 ? acts.length : turn + 1, 1);
-    let from = 0, until = this.wall;
-    while (until - from > 1e-6) {
-      this.wall = (from + until) / 2;
-      if (this.tick < tick) from = this.wall;
-      else until = this.wall;
-    }
-    this.wall = until;
+    this.go(turn < 0 ? acts.length : turn + 1);
+    while (this.tick < tick && this.part < 1) this.wall += 0.01;
   }
 
   /** Let seconds pass; return whether there is more to be seen. */

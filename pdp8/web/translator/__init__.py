@@ -35,7 +35,8 @@ MODULES = {
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "ending goals keys operator program trace",
     "pdp8.replay": "day script",
-    "pdp8.lessons": "answer diagnosis drill evidence exercise hints marking page scores trial values where",
+    "pdp8.lessons": "answer diagnosis drill evidence exercise hints marking minute page scores trial values"
+    " where",
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drawn drill ellipse fluidic format function header milling"
     " piecewise points polynomial printout profile slope stepwise stretches units",
