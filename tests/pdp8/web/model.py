@@ -23,6 +23,11 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 SECOND = 20_000_000
 """Ticks."""
 EIA_PAL = binary.decode(shelf.read_bundled("eia.bin")).words.items()
+IDLE = """(() => {
+  const { bus, processor } = workbench.machine;
+  return !processor.run && bus.next_event(processor.clock) > 1e14;
+})()"""
+"""The processor is stopped, and no device has anything to do."""
 NEWEST = 20
 """Tapes that a reload finds again."""
 DRIVER = """
@@ -90,7 +95,8 @@ class Model:
             self.create: 2, self.write: 4, self.rename: 2, self.remove_and_undo: 1, self.choose: 3,
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
-            self.pick_unit: 2, self.pick_speed: 2, self.reload: 2, self.other_tab: 1, self.refuse: 1,
+            self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
+            self.other_tab: 1, self.refuse: 1,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -186,6 +192,8 @@ class Model:
         if self.refuses or self.laid:
             return
         self._click("#delete-program")
+        if len(self.programs) == 1:  # there is always one that is open
+            self.programs.setdefault("program.pal", NEW)
         self.page.evaluate("driver.click(\"[data-click='editor.undo']\")")
 
     # The machine
@@ -199,7 +207,7 @@ class Model:
         self.sr ^= 1
         if self.led:  # what the story left in the machine is the visitor's
             self._click('#computer [data-key="stop"]')
-            until(self.page, "!workbench.clock.pictures.running")  # the Teletype ends what it has begun
+            until(self.page, IDLE)  # the Teletype ends what it has begun
             facts = self._facts()
             self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
             self.punched, self.mounted = facts["punched"], facts["mounted"]
@@ -297,6 +305,27 @@ class Model:
             self._put("#slider", str(self.draw.randrange(1, 10_000) * SECOND), "input")
             assert not self._facts()["playing"]
         self._put("#slider", str(self.draw.randrange(1, 10_000) * SECOND), "change")
+
+    def visit_room(self) -> None:
+        """Into the room, at its switches or not, and back: the visitor's machine is as he left it."""
+        if self.led:
+            return
+        worked = self.page.evaluate("workbench.machine.processor.core.some(Boolean)")
+        self._click("#enter")
+        if taken := self.draw.random() < 0.6:
+            self._click("#take")
+            self._click('#room [data-key="stop"]')
+            until(self.page, IDLE)
+            self._click("#room .rocker[value='10']")
+            facts = self._facts()
+        self._click("#leave")
+        self.laid = True
+        if taken:
+            self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
+            self.punched, self.mounted = facts["punched"], facts["mounted"]
+        elif not worked:
+            self.led = True
+            self.playing = self._facts()["playing"]
 
     # What is kept
 

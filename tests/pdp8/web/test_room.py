@@ -115,6 +115,15 @@ def test_what_is_lit_is_the_machines(room: Page, circle: Afternoon, turn: int, p
     assert room.evaluate("workbench.machine.processor.sr") == follower.machine.sr
 
 
+def test_an_act_ends_before_the_next_begins(room: Page) -> None:
+    """However long its end is looked at, the instant is the last of the act."""
+    ends = room.evaluate("""() => {
+      const { tour } = workbench.room, { acts } = workbench.afternoon.script.day;
+      return acts.map(({ ends }, at) => { tour.go(at + 1, 0); tour.wall = 1e6; return ends - tour.tick; });
+    }""")
+    assert ends == [1] * len(ends)
+
+
 def test_the_switches_are_taken_and_given_back(room: Page) -> None:
     """By mouse and by keys the machine is the visitor's; back in the story it is as it was."""
     _to(room, _TRANSLATE, 0.2)
