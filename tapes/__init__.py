@@ -6,6 +6,8 @@ eia         EIA RS-244, the code of N/C machines
 rim         DEC's RIM loader format
 binary      DEC's BIN loader format
 octal       any tape spelled out as text
+dump        frames of any dump: hexadecimal, octal, binary
+ita2        ITA2, the five-level code of telex machines
 code        a tape code as one object
 codes       every tape code, and which of them a tape is in
 loaders     BIN and RIM as tape codes

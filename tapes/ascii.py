@@ -106,6 +106,12 @@ class _Ascii(Characters):
         _, content, _ = strip.strip(frames)
         if not strip.begins_as_words(frames, content):
             content = content.translate(None, _NO_CHARACTERS)
+        if (
+            len(content) > 8
+            and max(content) < 0o100
+            and 2 * len(content.translate(None, _FIGURES)) > len(content)
+        ):
+            return 0.0  # text without letters is figures; this is a tape of six levels
         return MOSTLY if nearly_all(content, WRITING) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:

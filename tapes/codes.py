@@ -8,34 +8,43 @@ To add a code, write its file beside eia.py, and name its object here.
 
 from typing import Final
 
-from tapes import ascii, eia, loaders
-from tapes.code import Characters, Code
+from tapes import ascii, eia, ita2, loaders
+from tapes.code import Characters, Code, nearly_all
 from tapes.frames import BLANK, label_before, leader_start, skip
 
 BIN: Final = loaders.BIN
 RIM: Final = loaders.RIM
 ASCII: Final = ascii.ASCII
 EIA: Final = eia.EIA
+ITA2: Final = ita2.ITA2
 
-CODES: Final[tuple[Code, ...]] = (BIN, RIM, ASCII, EIA)
+CODES: Final[tuple[Code, ...]] = (BIN, RIM, ASCII, EIA, ITA2)
+
+_SIX_LEVELS = bytes(range(0o100))
+_FEW = 20
 
 BLANK_TAPE: Final = Code("blank", "blank", "a blank tape")
+SIX_LEVEL: Final = Code("six-level", "five or six levels, such as of an LGP-21: not read", "a six-level tape")
 UNKNOWN: Final = Code(
     "unknown", f"unknown: none of {', '.join(code.name.upper() for code in CODES)}", "a tape of no known code"
 )
 
 
 def recognise(frames: bytes) -> Code:
-    """Return the code that a tape is most likely in; BLANK_TAPE if it has no holes, UNKNOWN if none fits."""
+    """Return the code that a tape is most likely in; BLANK_TAPE if it has no holes, SIX_LEVEL or UNKNOWN
+    if none fits.
+    """
     body = frames[skip(frames, 0, BLANK) :]
     found, most = (UNKNOWN, 0.0) if body else (BLANK_TAPE, 1.0)
     for code in CODES if body else ():
         likelihood = code.likelihood(body)
         if likelihood > most:
             found, most = code, likelihood
-    if found is UNKNOWN:
-        return next((code for code in CODES if isinstance(code, Characters) and code.labels(frames)), UNKNOWN)
-    return found
+    if found is not UNKNOWN:
+        return found
+    if len(body) >= _FEW and nearly_all(body.translate(None, bytes([BLANK])), _SIX_LEVELS):
+        return SIX_LEVEL
+    return next((code for code in CODES if isinstance(code, Characters) and code.labels(frames)), UNKNOWN)
 
 
 def named(name: str) -> Code:

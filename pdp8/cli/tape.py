@@ -10,7 +10,7 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import codes, doubts, eia, frames, hydrapoint, measure, picture, redundancy
+from tapes import codes, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy
 from tapes import convert as conversion
 from tapes.code import Characters, Code
 from tapes.errors import TapeError, called, naming
@@ -50,6 +50,16 @@ _mend = option(
     callback=_frames_and_values,
     help="Take these frames for others than were punched.",
 )
+
+
+def _read(file: str) -> bytes:
+    """Return the frames of a tape, or those that a dump spells, which is said."""
+    content = shelf.read(file)
+    found = dump.found(content)
+    if found is None:
+        return content
+    command.say_of(file, [f"a dump in {found.notation}, read as {len(found.frames):,} frames"])
+    return found.frames
 
 
 def _mended(content: bytes, values: dict[int, int]) -> bytes:
@@ -130,7 +140,7 @@ def show(*, file: str, first: int, last: int | None, code: str, svg: str | None)
     """
     if last is not None and last < first:
         raise click.UsageError(f"--to {last} lies before --from {first}")
-    content = shelf.read(file)
+    content = _read(file) if code == _AUTO else shelf.read(file)
     with naming(file):
         _check(first, len(content))
     stop = None if last is None else last + 1
@@ -155,7 +165,7 @@ def info(files: tuple[str, ...]) -> None:
       pdp8 part ellipse | pdp8 tape info -
     """
     for file in files:
-        report = measure.report(shelf.read(file))
+        report = measure.report(_read(file))
         command.echo(called(file))
         for name, value in report:
             command.echo(f"    {name:10} {value}".rstrip())
@@ -211,7 +221,7 @@ def convert(
       pdp8 tape convert eia.bin --to octal > eia.txt
       pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
     """
-    content = _mended(shelf.read(file), mend)
+    content = _mended(_read(file) if code == _AUTO else shelf.read(file), mend)
     source = codes.recognise(content).name if code == _AUTO else code
     with naming(file):
         converted = conversion.convert(content, source, target, parity, fill, accept=accept)
@@ -263,7 +273,7 @@ def cut(
       pdp8 tape cut titled.eia --from 44 -o program.eia
       pdp8 tape cut wrong.eia --reverse -o right.eia
     """
-    content = _mended(shelf.read(file), mend)
+    content = _mended(_read(file), mend)
     with naming(file):
         _check(first, len(content))
     kept = range(first, len(content) if last is None else last + 1)
@@ -287,7 +297,7 @@ def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None
     Examples:
       pdp8 run eia2.pal < circle.asc | pdp8 tape clean > circle.eia
     """
-    content = _mended(shelf.read(file), mend)
+    content = _mended(_read(file), mend)
     if not accept:
         with naming(file):
             doubts.check(content.replace(b"\0", b"\x7f"), codes.EIA)

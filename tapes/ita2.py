@@ -1,0 +1,92 @@
+"""ITA2, the five-level code of telex machines: LTRS and FIGS shift between letters and figures.
+
+    channel 5 4 . 3 2 1      037 is LTRS, 033 FIGS, 010 CR, 002 LF, 004 a space
+
+Figures F, G and H, which each country assigned for itself, are here !, & and #.
+
+Sources: CCITT Recommendation F.1, International Telegraph Alphabet No. 2.
+"""
+
+from typing import Final
+
+from tapes.code import MOSTLY, Characters, Row, lengths, unended
+from tapes.errors import TextError
+from tapes.frames import BLANK, skip
+
+FIGURES, LETTERS = 0o33, 0o37
+
+_LETTERS: Final = "\0E\nA SIU\rDRJNFCKTZLWHYPQOBG\x0eMXV\x0f"
+_FIGURES: Final = "\0003\n- '87\r\x054\a,!:(5+)2#6019?&\x0e./=\x0f"
+_NAMES: Final = {
+    "\0": "blank", "\n": "LF", "\r": "CR", " ": "space", "\x0e": "FIGS", "\x0f": "LTRS", "\x05": "WRU",
+    "\a": "BELL",
+}  # fmt: skip
+_LINE_END: Final = bytes([0o10, 0o02])
+_FIVE: Final = bytes(range(0o40))
+
+
+class _Ita2(Characters):
+    def encode(self, text: str, parity: str = "mark", fill: int = 6) -> bytes:
+        frames = bytearray([LETTERS])
+        shifted, other = _LETTERS, _FIGURES
+        for at, character in enumerate(text.upper().replace("\n", "\r\n")):
+            if character not in shifted:
+                if character not in other:
+                    line = text.upper().replace("\n", "\r\n")
+                    raise TextError(f"{character!r} has no code in ITA2", line, at)
+                shifted, other = other, shifted
+                frames.append(LETTERS if shifted == _LETTERS else FIGURES)
+            frames.append(shifted.index(character))
+        return bytes(frames)
+
+    def decode(self, frames: bytes) -> str:
+        text = "".join(said for said in _shifted(frames) if said not in ("\0", "\x0e", "\x0f"))
+        return text.replace("\r\n", "\n").replace("\r", "\n")
+
+    def caption(self, frame: int) -> str:
+        if frame >= len(_LETTERS):
+            return "?"
+        letter, figure = _LETTERS[frame], _FIGURES[frame]
+        name = _NAMES.get(letter, letter)
+        return name if letter == figure else f"{name} {_NAMES.get(figure, figure)}"
+
+    def captions(self, frames: bytes) -> list[str]:
+        """Return the character of each frame in the shift that it is in."""
+        return [_NAMES.get(said, said) for said in _shifted(frames)]
+
+    def fitting(self, frames: bytes) -> bytes:
+        return _FIVE
+
+    def line_end(self) -> int:
+        return _LETTERS.index("\n")
+
+    def leader(self) -> int:
+        return BLANK
+
+    def likelihood(self, frames: bytes) -> float:
+        """Return a little less than MOSTLY if no frame has a sixth channel, and it begins with a shift or has
+        ends of line.
+        """
+        first = frames[skip(frames, 0, BLANK) :][:1]
+        begun = first in (bytes([LETTERS]), bytes([FIGURES])) or _LINE_END in frames
+        return 0.9 * MOSTLY if begun and not frames.translate(None, _FIVE) else 0.0
+
+    def report(self, frames: bytes) -> list[Row]:
+        """Return the count of lines."""
+        lines = self.decode(frames).split("\n")
+        rest = lines.pop()
+        held = f"{len(lines):,}{lengths([len(line) for line in lines], 'characters')}"
+        return [("lines", f"{held}{unended(rest, 'characters')}")]
+
+
+def _shifted(frames: bytes) -> list[str]:
+    said: list[str] = []
+    table = _LETTERS
+    for frame in frames:
+        if frame in (LETTERS, FIGURES):
+            table = _LETTERS if frame == LETTERS else _FIGURES
+        said.append(table[frame] if frame < len(table) else "?")
+    return said
+
+
+ITA2: Final = _Ita2("ita2", "five-level, ITA2 (telex)", "an ITA2 tape", "#f0e2b6")
