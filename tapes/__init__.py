@@ -12,6 +12,8 @@ code        a tape code as one object
 codes       every tape code, and which of them a tape is in
 loaders     BIN and RIM as tape codes
 hydrapoint  what the digits of an EIA tape mean to the Moog Hydra-Point
+paper       drawings on pages to print
+cutting     a tape for a laser: SVG, DXF
 picture     a tape as text and as SVG in true geometry
 photograph  photographs of tape become frames
 redundancy  what a tape says of its own frames

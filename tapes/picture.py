@@ -21,13 +21,23 @@ from collections.abc import Iterator
 from html import escape
 
 from tapes import codes, doubts
+from tapes.errors import TapeError
 from tapes.frames import channels, draw
+from tapes.paper import area
+from tapes.paper import pages as paged
 
 WIDTH = 1000  # thousandths of an inch, as everything below
 PITCH = 100
 SPROCKET_TRACK = 392
 CODE_HOLE = 72
 SPROCKET_HOLE = 46
+
+MOST = 20_000
+"""Frames of a drawing: some 10 MB."""
+ON_PAPER = 70
+"""Frames of a strip that is printed."""
+
+_Row = tuple[int, int, str]
 
 _MARGIN = 700
 _ABOVE = 200
@@ -63,9 +73,35 @@ def svg(
 
     `tracks`: number the nine tracks, the sprocket holes the fourth, as the thesis does, not the channels.
     """
-    shown = list(_range(frames, code, start, stop))
+    shown = _shown(frames, code, start, stop)
     strips = [shown[at : at + strip] for at in range(0, len(shown), strip)]
-    width = 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1))
+    return _drawing(strips, 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1)), tracks)
+
+
+def pages(frames: bytes, code: str, start: int, stop: int | None, paper: str) -> str:
+    """Return frames `start` up to `stop` as pages of SVG to print on `paper`: strips of 70 frames, with marks
+    where they are to be cut.
+    """
+    shown = _shown(frames, code, start, stop)
+    width, height = area(paper)
+    sheets: list[list[list[_Row]]] = [[]]
+    for at in range(0, len(shown), ON_PAPER):
+        rows = shown[at : at + ON_PAPER]
+        if sum(map(_height, sheets[-1])) + _height(rows) + _ABOVE > height * 1000:
+            sheets.append([])
+        sheets[-1].append(rows)
+    drawings = [_drawing(strips, round(width * 1000), marks=True).strip() for strips in sheets]
+    return paged(drawings, paper)
+
+
+def _shown(frames: bytes, code: str, start: int, stop: int | None) -> list[_Row]:
+    shown = range(*slice(start, stop).indices(len(frames)))
+    if len(shown) > MOST:
+        raise TapeError(f"{len(shown):,} frames: a drawing has {MOST:,} at most; draw it in pieces")
+    return list(_range(frames, code, start, stop))
+
+
+def _drawing(strips: list[list[_Row]], width: int, tracks: bool = False, marks: bool = False) -> str:
     height = sum(map(_height, strips)) + _ABOVE
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width / 1000}in" height="{height / 1000}in"'
@@ -76,8 +112,20 @@ def svg(
     top = _ABOVE
     for rows in strips:
         parts += _strip(rows, top, tracks)
+        if marks:
+            parts.append(_marks(PITCH * len(rows), top))
         top += _height(rows)
     return "\n".join([*parts, "</svg>\n"])
+
+
+def _marks(length: int, top: int) -> str:
+    """Return the lines beside a strip's corners along which it is cut."""
+    lines = "".join(
+        f"M{x} {y}m{across * 30} 0h{across * 90}M{x} {y}m0 {up * 110}v{up * 60}"
+        for x, across in ((_MARGIN, -1), (_MARGIN + length, 1))
+        for y, up in ((top, -1), (top + WIDTH, 1))
+    )
+    return f'<path d="{lines}" fill="none" stroke="#000" stroke-width="5"/>'
 
 
 _STYLE = """<style>
@@ -86,8 +134,6 @@ _STYLE = """<style>
 text { font: 90px monospace; fill: #222 } .track { text-anchor: end } .count { text-anchor: middle }
 .arrow { fill: #222 }
 </style>"""
-
-_Row = tuple[int, int, str]
 
 
 def _range(frames: bytes, code: str, start: int, stop: int | None) -> Iterator[_Row]:

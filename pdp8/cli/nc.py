@@ -23,6 +23,7 @@ from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Target, output
 from pdp8.cli.shared.rules import declared, option
 from tapes.errors import naming
+from tapes.paper import PAPERS, sized, tiled
 
 
 @click.group(cls=Group)
@@ -118,6 +119,11 @@ def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
     show_default=True,
     help="Scale of the close view.",
 )
+@click.option(
+    "--paper",
+    type=click.Choice(list(PAPERS)),
+    help="Draw pages of this paper, with a ruler: print at 100 %.",
+)
 @output(Target("SVG"), "FILE.svg")
 def plot(
     tape: Tape,
@@ -128,6 +134,7 @@ def plot(
     block: int | None,
     at: tuple[float, float] | None,
     zoom: float,
+    paper: str | None,
     output: str,
 ) -> None:
     """Draw the path and the cut surface to scale as SVG.
@@ -137,6 +144,7 @@ def plot(
       pdp8 nc plot circle.eia > circle.svg
       pdp8 nc plot circle.eia --block 120 -o circle-120.svg
       pdp8 nc plot circle.eia --at 4,6 --zoom 15 -o wall.svg
+      pdp8 nc plot circle.eia --paper a4 -o pages.svg
     """
     from nc.plot import plot as drawing
 
@@ -151,7 +159,7 @@ def plot(
         zoom=(zoom, zoom),
         close_at=close_at,
     )
-    command.put(output, text)
+    command.put(output, tiled(text, paper) if paper else sized(text))
 
 
 @nc.command()

@@ -10,11 +10,13 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import codes, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy
+from tapes import codes, cutting, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy
 from tapes import convert as conversion
 from tapes.code import Characters, Code
 from tapes.errors import TapeError, called, naming
 from tapes.loaders import Words
+from tapes.paper import PAPERS as paper_sizes
+from tapes.paper import sized
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
@@ -128,7 +130,28 @@ def tape() -> None:
     metavar="FILE",
     help="Draw it in true size as SVG into FILE (- for standard output).",
 )
-def show(*, file: str, first: int, last: int | None, code: str, svg: str | None) -> None:
+@option(
+    "--paper",
+    type=click.Choice(list(paper_sizes)),
+    needs="--svg",
+    help="Draw pages of this paper, with a ruler and marks to cut: print at 100 %.",
+)
+@click.option(
+    "--cut",
+    type=Target("drawing"),
+    metavar="FILE.svg|FILE.dxf",
+    help="Write outline and holes, in millimetres, for a laser that cuts.",
+)
+def show(
+    *,
+    file: str,
+    first: int,
+    last: int | None,
+    code: str,
+    svg: str | None,
+    paper: str | None,
+    cut: str | None,
+) -> None:
     """Show a tape as rows of holes, each with its number, its octal and what it says.
 
     \b
@@ -137,6 +160,8 @@ def show(*, file: str, first: int, last: int | None, code: str, svg: str | None)
       pdp8 tape show circle.asc --from 162 --to 188
       pdp8 tape show eia.bin --code bin --from 60 --to 99
       pdp8 part circle | pdp8 tape show - --to 26 --svg line.svg
+      pdp8 tape show eia.bin --svg eia-bin.svg --paper a4
+      pdp8 tape show circle.eia --to 79 --cut block.dxf
     """
     if last is not None and last < first:
         raise click.UsageError(f"--to {last} lies before --from {first}")
@@ -145,13 +170,22 @@ def show(*, file: str, first: int, last: int | None, code: str, svg: str | None)
         _check(first, len(content))
     stop = None if last is None else last + 1
     known = codes.recognise(content) if code == _AUTO else codes.named(code)
-    if svg is None:
+    if cut is not None:
+        with naming(file):
+            drawn = (cutting.dxf if cut.endswith(".dxf") else cutting.svg)(content[first:stop])
+        command.put(cut, drawn)
+    if svg is not None:
+        with naming(file):
+            if paper:
+                drawn = picture.pages(content, known.name, first, stop, paper)
+            else:
+                drawn = sized(picture.svg(content, known.name, first, stop))
+        command.put(svg, drawn)
+    elif cut is None:
         command.echo(picture.text(content, known.name, first, stop), nl=False)
         for label in known.labels(content):
             for row in frames.draw_label(content[:stop][max(first, label.start) : label.stop]):
                 command.echo(f"   label    {row}".rstrip())
-    else:
-        command.put(svg, picture.svg(content, known.name, first, stop))
 
 
 @tape.command()

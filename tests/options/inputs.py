@@ -286,6 +286,8 @@ _VALUES: Final = {
     "--tape": "small.eia",
     "tape convert --code": "octal",
     "--mend": "1=043",
+    "--paper": "letter",
+    "tape show --cut": "cut.out",
     "--without": "3,5-6",
     "tape cut --from": "1",
     "tape cut --to": "30",

@@ -11,15 +11,16 @@ from tapes.errors import TextError
 
 FRAMES = shelf.read("circle.eia")[:333] + bytes(range(256))
 COMMANDS = [
-    "xxd", "xxd -p", "xxd -i", "xxd -b", "xxd -u -g1", "hexdump -Cv", "od -An -to1 -v", "od -to1 -v", "od -tx1z -v",
+    "xxd", "xxd -p", "xxd -i", "xxd -b", "xxd -u -g1", "hexdump -Cv", "od -An -to1 -v", "od -to1 -v",
+    "od -tx1z -v",
     "pdp8 tape convert - --code bin --to octal",
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_what_other_tools_write(command: str) -> None:
-    if not shutil.which(command.split()[0]):
-        pytest.skip(f"{command.split()[0]} is not installed")
+    if not shutil.which(command.partition(" ")[0]):
+        pytest.skip(f"{command} is not installed")
     written = subprocess.run(command.split(), input=FRAMES, capture_output=True, check=True).stdout
     found = dump.found(written)
     assert found
