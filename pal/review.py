@@ -118,7 +118,7 @@ def of_pass_3(punched: Output, listed: Output) -> list[Note]:
     on_tape = [piece for piece in punched if isinstance(piece, Written)]
     words = [piece for piece in listed if isinstance(piece, Listed) and piece.word is not None]
     for word, piece in zip(on_tape, words, strict=False):
-        if piece.word != word.word:
+        if piece.word is not None and piece.word != word.word:
             return [note("PN24", piece.at, word=f"{word.word:04o}", listed=f"{piece.word:04o}")]
     return []
 

@@ -58,7 +58,7 @@ class Exact:
 
     def real(self, value: float) -> Fraction:
         """Return the rational of the decimal digits of `value`."""
-        return Fraction(str(value))
+        return Fraction(str(float(value)))
 
     def store(self, value: Fraction) -> Fraction:
         """Return `value`."""

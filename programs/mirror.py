@@ -23,6 +23,7 @@ from tapes.hydrapoint import (
     Preparatory,
     block,
 )
+from tapes.text import lines_of
 
 
 def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = None) -> str:
@@ -30,7 +31,7 @@ def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = No
 
     Raises WorkError for a line that is not a block, and for a block that would leave the table.
     """
-    lines = printout.splitlines()
+    lines = lines_of(printout)
     blocks = [_block(line, number) for number, line in enumerate(lines, 1)]
     places = [found.x if across == "x" else found.y for found in blocks if _is_of_the_part(found)]
     if not places:

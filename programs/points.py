@@ -120,7 +120,7 @@ def crossing(line: list[Place]) -> Place | None:
     cell = max(sum(length(*side) for side in sides) / len(sides), _ROUNDING)
     within: dict[int, list[int]] = {}
     for at, (start, end) in enumerate(sides):
-        for place in _cells(start, end, cell):
+        for place in sorted(_cells(start, end, cell)):
             others = within.setdefault(place, [])
             for other in others:
                 if 1 < at - other < len(sides) - 1 and _meet(start, end, *sides[other]):

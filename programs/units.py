@@ -81,7 +81,7 @@ def thousandths(name: str, inches: float) -> int:
     """Return `inches` in thousandths. Raises WorkError unless it is a whole number of them."""
     units = _units(name, inches)
     if units != int(units):
-        raise WorkError(f"{name} {inches!r} in: must be a whole number of thousandths of an inch")
+        raise WorkError(f"{name} {float(inches)!r} in: must be a whole number of thousandths of an inch")
     return int(units)
 
 

@@ -66,7 +66,7 @@ def decode(frames: bytes) -> str:
     Channel 8 is not looked at; blank frames, leader and RUBOUTs say nothing. Any tape has a reading.
     """
     codes = frames.translate(strip.PARITIES["none"], _SILENT)
-    return codes.decode().replace("\r\n", "\n").replace("\r", "\n")
+    return codes.decode("ascii").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def name(frame: int) -> str:
@@ -134,7 +134,7 @@ class _Ascii(Characters):
     def fitting(self, frames: bytes) -> bytes:
         tables = [strip.PARITIES[name] for name, _ in _parities(frames, ())] or [bytes(range(256))]
         obeying = {frame for frame in WRITING if any(table[frame] == frame for table in tables)}
-        return bytes({*obeying, strip.RUBOUT})
+        return bytes(sorted({*obeying, strip.RUBOUT}))
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return the parity that nine in ten of the characters obey, all of them if they are few; a tape

@@ -136,7 +136,7 @@ class Characters(Code):
                 break
             piece = frames[max(first, title.stop) : end].strip(LABEL_GAP)
             if self._has_lines(frames[start:]) and self.likelihood(frames[start:]) >= MOSTLY:
-                odd = piece.replace(LABEL_GAP[:1], b"").translate(None, self.fitting(frames[start:]))
+                odd = piece.translate(None, LABEL_GAP[:1]).translate(None, self.fitting(frames[start:]))
                 written = self._has_lines(piece) and len(odd) < len(piece) / 10
                 if written or not (odd or BLANK in piece or (title and len(piece) <= _LETTER)):
                     break

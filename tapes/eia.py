@@ -83,7 +83,7 @@ def decode(frames: bytes, blank: str | None = None) -> str:
     for at, code in enumerate(characters, start):
         if code in refused:
             raise TapeError(_complaint(frames[at]) if code else "blank frame inside the data", at)
-    return characters.translate(None, bytes([DELETE])).decode().replace(chr(BLANK), blank or "")
+    return characters.translate(None, bytes([DELETE])).decode("ascii").replace(chr(BLANK), blank or "")
 
 
 def clean(frames: bytes) -> bytes:

@@ -16,6 +16,7 @@ from math import (
     cos,
     cosh,
     exp,
+    fabs,
     isfinite,
     log,
     pow,
@@ -33,7 +34,7 @@ Function = Callable[[float], float]
 
 FUNCTIONS: Final[dict[str, Function]] = {
     "sqrt": sqrt, "exp": exp, "log": log, "sin": sin, "cos": cos, "tan": tan, "asin": asin, "acos": acos,
-    "atan": atan, "sinh": sinh, "cosh": cosh, "tanh": tanh, "abs": abs,
+    "atan": atan, "sinh": sinh, "cosh": cosh, "tanh": tanh, "abs": fabs,
 }  # fmt: skip
 CONSTANTS: Final = {"pi": 3.141592653589793, "e": 2.718281828459045}
 LANGUAGE: Final = f"numbers, x, {', '.join(CONSTANTS)}, + - * / ** ( ) and {', '.join(FUNCTIONS)}"

@@ -71,7 +71,7 @@ def parity(frames: bytes) -> str:
 
     Blank frames, leader and rubouts say nothing of the parity. With no character left it is "none".
     """
-    characters = bytes(set(frames) - {BLANK, LEADER, RUBOUT})
+    characters = bytes(sorted(set(frames) - {BLANK, LEADER, RUBOUT}))
     for name in ("none", "mark", "even", "odd"):
         if characters.translate(PARITIES[name]) == characters:
             return name

@@ -16,6 +16,7 @@ from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError, called
+from tapes.text import lines_of
 
 
 @click.command(cls=Command)
@@ -56,7 +57,7 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
 def _follow(made: Monitor, script: str, echo: bool) -> None:
     """Carry out a script; its first error ends it."""
     text = shelf.read(script).decode("utf-8-sig", "replace")
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(lines_of(text), 1):
         if echo:
             command.echo(f"* {line}")
         try:

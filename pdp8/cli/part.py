@@ -15,6 +15,7 @@ from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, eia
+from tapes.text import lines_of
 
 _SETTINGS = {"max_content_width": 100}
 
@@ -120,7 +121,7 @@ def compare(name: str, arithmetic: str, other: str) -> None:
       pdp8 part compare ellipse --arithmetic ge635 --with cdc6400
     """
     program = PARTS[name].program()
-    one, two = (program(arithmetic=ARITHMETICS[each]).splitlines() for each in (arithmetic, other))
+    one, two = (lines_of(program(arithmetic=ARITHMETICS[each])) for each in (arithmetic, other))
     command.echo(f"block  {arithmetic:19}  {other:19}")
     differing = 0
     for number, (left, right) in enumerate(zip_longest(one, two, fillvalue="-"), 1):

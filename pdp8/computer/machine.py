@@ -65,7 +65,7 @@ class Recorder(Protocol):
 def _ticks(seconds: float) -> int:
     """Return `seconds` in ticks. Raises ValueError for a negative time and for NaN."""
     if not seconds >= 0:
-        raise ValueError(f"a time of {seconds} seconds: 0 or more is allowed")
+        raise ValueError(f"a time of {float(seconds)} seconds: 0 or more is allowed")
     return round(min(seconds, _LONGEST) * TICKS_PER_SECOND)
 
 

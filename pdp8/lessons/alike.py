@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from pal.symbols import PERMANENT
 from pdp8.lessons.answer import Answer, parted
+from tapes.text import lines_of
 
 _RUN = 5
 _LEAST = 12
@@ -61,7 +62,7 @@ def _plain(source: str) -> list[str]:
     """Return the items of a source, its tags as they come: t0, t1, ..."""
     tags: dict[str, str] = {}
     items = []
-    for line in source.splitlines():
+    for line in lines_of(source):
         for item in parted(line.partition("/")[0]):
             tag = item[0].isalpha() and item not in _OWN
             items.append(tags.setdefault(item, f"t{len(tags)}") if tag else item)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from pal.assembling import assemble
 from pdp8.computer.use.program import FOUND
+from tapes.text import lines_of
 
 _SHOWN = 5
 """Errors of a source that are told."""
@@ -29,13 +30,13 @@ class Answer:
 
     def items(self) -> list[str]:
         """Return the symbols and numbers of the source as they stand, comments apart."""
-        return [item for line in self.source.splitlines() for item in parted(line.partition("/")[0])
+        return [item for line in lines_of(self.source) for item in parted(line.partition("/")[0])
                 if _of_a_word(item[0])]  # fmt: skip
 
     def lines(self) -> dict[str, str]:
         """Return a sheet's answers by their questions' names: `a: 270`."""
         found: dict[str, str] = {}
-        for line in self.source.splitlines():
+        for line in lines_of(self.source):
             plain = line.strip()
             end = 0
             while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=.)":

@@ -11,6 +11,7 @@ from pal.symbols import PERMANENT, Permanent
 from pdp8.computer.use.operator import RIM, RIM_HIGH_SPEED, RIM_START
 from tapes import ascii, eia
 from tapes.frames import draw
+from tapes.text import lines_of
 
 WIDTH, HEIGHT = 707, 500
 """In units of 0.42 mm; A4 is 297 by 210 mm, and type of 9 is 14 pixels high on it."""
@@ -64,7 +65,7 @@ def rim() -> str:
         other = f"({fast:04o})" if fast != word else ""
         card.text(_MARGIN, y, f"{RIM_START + number:04o}     {word:04o}  {other}")
         _switches(card, _MARGIN + 160, y - 4, word)
-    card.lines(430, 66, _RIM_STEPS.splitlines(), 20)
+    card.lines(430, 66, lines_of(_RIM_STEPS), 20)
     return card.svg()
 
 

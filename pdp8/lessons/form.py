@@ -14,6 +14,7 @@ from pdp8 import shelf
 from pdp8.lessons import diagnosis, draw, values
 from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
+from tapes.text import lines_of
 
 FOLDER = os.path.join(shelf.beside(__file__), "exercises")
 SEED = 1
@@ -62,7 +63,7 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
     Raises ExerciseError.
     """
     try:
-        if any(_DEEP.fullmatch(line.partition("=")[0]) for line in text.splitlines()):
+        if any(_DEEP.fullmatch(line.partition("=")[0]) for line in lines_of(text)):
             raise RecursionError
         given = (json if text.startswith("{") else tomllib).loads(text)
     except RecursionError:

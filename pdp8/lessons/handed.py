@@ -11,6 +11,7 @@ from pdp8.lessons.answer import Answer
 from tapes import codes
 from tapes.errors import WorkError, called
 from tapes.loaders import Words
+from tapes.text import lines_of
 from tapes.utf16 import is_utf16
 
 LARGEST = 16 * 1024
@@ -54,7 +55,7 @@ def of(content: bytes, name: str) -> Answer:
     except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
     source = content.decode(errors="replace").replace("\r\n", "\n")
-    for number, line in enumerate(source.splitlines(), 1):
+    for number, line in enumerate(lines_of(source), 1):
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
     return Answer(name, source=source)

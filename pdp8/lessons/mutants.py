@@ -6,6 +6,8 @@ An exercise takes no slip that changes what the program does, and every way of w
 import re
 from collections.abc import Iterator
 
+from tapes.text import lines_of
+
 _SLIPS = {
     "TAD": "AND DCA", "AND": "TAD", "DCA": "TAD", "ISZ": "TAD", "JMP": "JMS", "JMS": "JMP", "I": "",
     "SZA": "SNA", "SNA": "SZA", "SMA": "SPA", "SPA": "SMA", "SZL": "SNL", "SNL": "SZL", "SKP": "NOP",
@@ -26,7 +28,7 @@ def slips(source: str) -> Iterator[tuple[str, str]]:
     """Yield each program that has one slip, after what the slip is: an instruction is left out or doubled or
     comes after its neighbour, one symbol stands for another, a number is wrong by 1.
     """
-    lines = source.splitlines()
+    lines = lines_of(source)
     tags = [found["tag"].rstrip(",") for line in lines if (found := _LINE.fullmatch(line)) and found["tag"]]
     for at, line in enumerate(lines):
         found = _LINE.fullmatch(line)
@@ -67,7 +69,7 @@ def restatements(source: str, kept: set[str], longer: bool, elsewhere: bool) -> 
     """Yield the same program written otherwise, after in which way: the tags in `kept` stay; where it may be
     `longer`, with more instructions; and `elsewhere`, if nothing is put there.
     """
-    plain = "\n".join(line.partition("/")[0].rstrip() for line in source.splitlines()) + "\n"
+    plain = "\n".join(line.partition("/")[0].rstrip() for line in lines_of(source)) + "\n"
     yield "in lower case", source.lower()
     yield "with CR LF", source.replace("\n", "\r\n")
     yield "with blanks for tabs", source.replace("\t", "    ")

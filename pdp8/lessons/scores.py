@@ -18,6 +18,7 @@ from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
 from tapes import errors
 from tapes.frames import draw
+from tapes.text import lines_of
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -74,7 +75,7 @@ def said(mark: Mark) -> Iterator[str]:
 
 def fault(result: Result) -> Iterator[str]:
     """Yield the lines that say why an answer was not tried."""
-    return (visible(line.expandtabs(8)) for line in result.fault.splitlines())
+    return (visible(line.expandtabs(8)) for line in lines_of(result.fault))
 
 
 def lines(failure: Failure) -> Iterator[str]:

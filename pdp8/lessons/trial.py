@@ -170,7 +170,7 @@ class Tried:
         self.start(number)
         before, instructions = list(machine.core), machine.instructions
         stop = self.run(number)
-        page = printed(bytes(machine.teletype.printer.frames)).decode().replace("\r\n", "\n")
+        page = printed(bytes(machine.teletype.printer.frames)).decode("ascii").replace("\r\n", "\n")
         return Outcome(
             stop, machine.ac, machine.link, before, list(machine.core), machine.teletype.punch.tape, page,
             machine.instructions - instructions, machine.teletype.transmitter.register != 0, number,

@@ -8,6 +8,7 @@ from typing import Final
 from nc.drawing import FAINT, GRID, INK, Sheet
 from pdp8.thesis import chain
 from tapes import ascii, eia, frames, picture
+from tapes.text import lines_of
 
 _NAMES: Final = {" ": "SPACE", "\n": "CARR. RET.", "\t": "TAB", "\b": "BACKSPACE"} | {
     eia.STOP: "STOP", eia.UPPER_CASE: "UPPER CASE", eia.LOWER_CASE: "LOWER CASE",
@@ -25,14 +26,14 @@ def digits() -> str:
 
 def drilled_block() -> str:
     """Figure 2.5: one block of 20 rows, the first hole of Chapter 3's drilling program."""
-    block = chain.printout("drill").splitlines()[2].replace(" ", "0")
+    block = lines_of(chain.printout("drill"))[2].replace(" ", "0")
     return picture.svg(eia.encode(block + "\n"), "eia")
 
 
 def before_and_after() -> list[str]:
     """Figure 5.4: a block of the circle as the terminal punched it, and as the program left it."""
     text = chain.printout("circle")
-    line = text.splitlines()[_BLOCK_OF_THE_CIRCLE - 1] + "\n"
+    line = lines_of(text)[_BLOCK_OF_THE_CIRCLE - 1] + "\n"
     return [
         picture.svg(ascii.encode(line), "ascii"),
         picture.svg(chain.translated(line).lstrip(b"\0"), "eia"),

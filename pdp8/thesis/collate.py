@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from pdp8.thesis.table import Table
 from tapes.errors import WorkError
+from tapes.text import lines_of
 
 _FORM = "NAME | WHAT THE PAGE HAS | WHO LOOKED, WHERE, WHEN"
 
@@ -38,7 +39,7 @@ def _text(name: str) -> str:
 def conjectures() -> dict[str, Conjecture]:
     """Return the conjectures by name, in the order of the file."""
     found = {}
-    for line in _text("conjectures.txt").splitlines():
+    for line in lines_of(_text("conjectures.txt")):
         if not line.startswith("#"):
             name, page, place, ours, rivals, targets = (cell.strip() for cell in line.split("|"))
             changes = dict(each.strip().split(" = ") for each in rivals.split("//"))
@@ -52,7 +53,7 @@ def answers(text: str | None = None) -> dict[str, str]:
     Raises WorkError for a line that is no answer.
     """
     known, given = conjectures(), dict[str, str]()
-    for number, line in enumerate((_text("scan/answers.txt") if text is None else text).splitlines(), 1):
+    for number, line in enumerate(lines_of(_text("scan/answers.txt") if text is None else text), 1):
         if not line.strip() or line.startswith("#"):
             continue
         cells = [cell.strip() for cell in line.split("|")]

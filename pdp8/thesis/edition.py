@@ -19,6 +19,7 @@ from pathlib import Path
 from pdp8.thesis import collate, measures, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
+from tapes.text import lines_of
 
 _SECTION = re.compile(r"(<!-- (\w+) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
@@ -79,7 +80,7 @@ def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
 def _variants(page_: str) -> Iterator[tuple[str, ...]]:
     """Yield the words of a page that others may replace: with our reasons from the evidence."""
     text = (files("pdp8.thesis") / "scan" / "variants.txt").read_text(encoding="utf-8")
-    lines = (line.split("|") for line in text.splitlines() if not line.startswith("#"))
+    lines = (line.split("|") for line in lines_of(text) if not line.startswith("#"))
     others = {address.strip(): (count.strip(), names.strip()) for address, count, names in lines}
     for row in table("eia.pal"):
         if row.page == page_ and others[row.ours[:4]][0] != "0":

@@ -33,6 +33,7 @@ import pal
 from pdp8.thesis.collate import as_read
 from pdp8.thesis.reading import fortran_line, pal_line
 from tapes.errors import WorkError
+from tapes.text import lines_of
 
 ARTEFACTS = ("eia.pal", "eia1.pal", "eia2.pal", "circle.for", "ellipse.for")
 TABLES = ("ch2-block", "2.3", "ch4-memory-reference", "ch4-microinstructions", "ch4-input-output")
@@ -68,7 +69,7 @@ def rows(artefact: str) -> tuple[Row, ...]:
     if artefact not in ARTEFACTS + TABLES:
         raise WorkError(f"{artefact}: no evidence; there is some of {', '.join(ARTEFACTS + TABLES)}")
     text = (files("pdp8.thesis") / "scan" / f"{artefact}.txt").read_text(encoding="utf-8")
-    return tuple(_row(line, artefact) for line in text.splitlines() if not line.startswith("#"))
+    return tuple(_row(line, artefact) for line in lines_of(text) if not line.startswith("#"))
 
 
 def _row(line: str, artefact: str) -> Row:

@@ -14,6 +14,7 @@ from pdp8.thesis.catalogue import STATES, Item, catalogue
 from pdp8.thesis.making import Made
 from pdp8.thesis.supplied import html
 from pdp8.thesis.table import Table
+from tapes.text import lines_of
 
 _LONGEST = 300
 _EXCERPT = 24
@@ -89,7 +90,7 @@ def _table(item: Item, table: Table) -> str:
 
 
 def _text(made: Made) -> str:
-    lines, more = made.text.splitlines()[3:], ""
+    lines, more = lines_of(made.text)[3:], ""
     if len(lines) > _LONGEST:
         more = f"<p>{len(lines) - _EXCERPT} more lines in {made.name}.</p>"
         lines = lines[:_EXCERPT]

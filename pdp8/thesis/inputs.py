@@ -12,6 +12,7 @@ from importlib.resources import files
 from typing import Final, NamedTuple
 
 from pdp8.thesis.collate import settled
+from tapes.text import lines_of
 
 FROM_TEXT, COMPUTED, FITTED = "from the text", "computed", "fitted or conjectured"
 DIFFERS, NOT_MADE = "differs", "not made here"
@@ -27,7 +28,7 @@ class Input(NamedTuple):
 ITSELF: Final = "itself"
 """The input of a constant that the software takes from the thesis's text."""
 
-_TABLE: Final = (files("pdp8.thesis") / "inputs.txt").read_text(encoding="utf-8").splitlines()
+_TABLE: Final = lines_of((files("pdp8.thesis") / "inputs.txt").read_text(encoding="utf-8"))
 INPUTS: Final = {
     name.strip(): Input("thesis" if settled(name.strip()) else kind.strip(), why.strip())
     for name, kind, why in (line.split("|") for line in _TABLE if not line.startswith("#"))

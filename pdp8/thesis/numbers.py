@@ -29,6 +29,7 @@ from typing import Final, NamedTuple
 from pdp8.thesis.inputs import state
 from pdp8.thesis.measures import Measure, inputs, value
 from pdp8.thesis.table import Table
+from tapes.text import lines_of
 
 WITHIN: Final = 0.05
 
@@ -95,7 +96,7 @@ def plain(said: str) -> str:
 def numbers() -> Iterator[Number]:
     """Yield every number, in the order of the thesis."""
     text = (files("pdp8.thesis") / "numbers.txt").read_text(encoding="utf-8")
-    for line in text.splitlines():
+    for line in lines_of(text):
         if line.startswith("#"):
             continue
         page, words, name, by = (cell.strip() for cell in line.split("|"))

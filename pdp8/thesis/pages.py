@@ -10,6 +10,7 @@ import numpy as np
 from pdp8.thesis.collate import Conjecture
 from pdp8.thesis.facsimile import HEADINGS, facsimile
 from tapes.photograph.pixels import lights
+from tapes.text import lines_of
 
 _DARK = 128
 
@@ -22,7 +23,7 @@ def find(conjecture: Conjecture, picture: bytes) -> tuple[int, int, bool] | None
     """
     texts = (page for each in HEADINGS for page in facsimile(each).partition("\n\n")[2].split("\f"))
     pages = [page.replace("Ø", "0").replace("[", "").replace("]", "").strip() for page in texts]
-    lines = next((page for page in pages if page.split()[-1] == conjecture.page), "").splitlines()
+    lines = lines_of(next((page for page in pages if page.split()[-1] == conjecture.page), ""))
     lines = [line for line in lines if line.strip()]
     number = next((at for at, line in enumerate(lines) if line[:4].strip() == conjecture.place[5:]), None)
     ink: list[bool] = np.asarray(np.less(lights(picture)[0], _DARK).any(axis=1)).tolist()

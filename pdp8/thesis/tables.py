@@ -13,6 +13,7 @@ from pdp8.thesis.table import Table
 from programs.thesis import TABLE_10_1, Timed
 from tapes import hydrapoint
 from tapes.hydrapoint import SPINDLE, TOOL_FUNCTION, XY_FEED, Z_FEED
+from tapes.text import lines_of
 
 
 def specifications() -> Table:
@@ -66,7 +67,7 @@ def rates() -> Table:
 
 def drilling() -> Table:
     """Chapter 3: the program for four holes, from its part program."""
-    blocks = [line.replace(" ", "0") for line in chain.printout("drill").splitlines()]
+    blocks = [line.replace(" ", "0") for line in lines_of(chain.printout("drill"))]
     cuts = (0, 3, 4, 9, 14, 15, 17, 19)
     rows = tuple(tuple(block[at:end] for at, end in pairwise(cuts)) for block in blocks)
     return Table(("seq", "P", "X", "Y", "res", "tool", "misc"), rows)

@@ -16,21 +16,20 @@ import posixpath
 import re
 import zlib
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
 from pdp8.web import translator
+from pdp8.web.names import COMMENT, EXPORT, IMPORT, exports, needed
+from pdp8.web.names import faults as faults_of
 
 _HERE = "pdp8/web/"
-_IMPORT = re.compile(r'^import (\{[^}]*\}|\* as [\w$]+) from "(\.[\w./-]+)\.mjs";$', re.MULTILINE)
 _LATER = re.compile(r'\bimport\("(\.[\w./-]+)\.mjs"\)')
-_EXPORT = re.compile(
-    r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
-)
 _INCLUDED = re.compile(r"<!-- ([\w/]+\.html) -->")
 _INLINE = re.compile(r"<script>(.*?)</script>", re.DOTALL)
-_COMMENT = re.compile(r"^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n", re.MULTILINE)
+_RUNTIME = f"{_HERE}translator/runtime"
 
 
 @cache
@@ -67,8 +66,48 @@ def scripts(entry: str) -> tuple[str, str]:
     for path in _LATER.findall(text):
         _collect(_path(_HERE + entry, path), every)
     later = {name: every[name] for name in every if name not in first}
+    first[_RUNTIME] = _used_of_the_runtime(first[_RUNTIME], [text, *every.values()])
     named = _LATER.sub(lambda match: f"pack.later(() => {_identifier(_path(_HERE + entry, match[1]))})", text)
     return _script(first, f"(() => {{\n{_body(_HERE + entry, named)}\n}})();"), _script(later)
+
+
+def _used_of_the_runtime(runtime: str, texts: Iterable[str]) -> str:
+    """Return the runtime, as far as the modules `texts` need it."""
+    used, called = set[str](), set[str]()
+    for text in texts:
+        if text is not runtime:
+            used.update(re.findall(r"\$\.(\w+)", text))
+            called.update(re.findall(r"\.(\w+)", text))
+            used.update(
+                *(re.findall(r"\w+", what) for what, path in IMPORT.findall(text) if "runtime" in path)
+            )
+    return needed(runtime, used, called)
+
+
+def faults() -> list[str]:
+    """Return what is wrong with the names of all modules: declared twice, or imported and not there."""
+    folder = files(__package__)
+    entries = (each.name.removesuffix(".mjs") for each in folder.iterdir() if each.name.endswith(".mjs"))
+    texts: dict[str, str] = {}
+    found: list[str] = []
+    for entry in entries:
+        _every(_HERE + entry, texts)
+    for name, text in sorted(texts.items()):
+        paths = {path: _path(name, path) for _, path in IMPORT.findall(text)}
+        given = {path: exports(texts[at]) for path, at in paths.items() if at in texts}
+        by_hand = name.replace("/", ".") not in translator.translated()
+        found += faults_of(f"{name}.{'mjs' if by_hand else 'py'}", text, given, by_hand)
+    return found
+
+
+def _every(name: str, found: dict[str, str]) -> None:
+    """Find the module `name` and all that it imports, at once or later, as far as they are there."""
+    if name in found:
+        return
+    with suppress(OSError):
+        found[name] = module(name)
+        for path in (*(path for _, path in IMPORT.findall(found[name])), *_LATER.findall(found[name])):
+            _every(_path(name, path), found)
 
 
 def _script(texts: dict[str, str], end: str = "") -> str:
@@ -86,18 +125,13 @@ def _collect(name: str, found: dict[str, str]) -> None:
 
 def _imported(name: str, text: str) -> Iterator[str]:
     """Yield the modules that `text` imports from."""
-    for _, path in _IMPORT.findall(text):
+    for _, path in IMPORT.findall(text):
         yield _path(name, path)
 
 
 def _path(name: str, path: str) -> str:
     """Return the module that the module `name` calls `path`."""
     return posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
-
-
-def exports(text: str) -> list[str]:
-    """Return the names that a module exports, each declared by itself."""
-    return [name for names in _EXPORT.findall(text) for name in re.findall(r"[\w$]+", names)]
 
 
 def _scope(name: str, text: str) -> str:
@@ -113,7 +147,7 @@ def _body(name: str, text: str) -> str:
         names = match[1].removeprefix("* as ").replace(" as ", ": ")
         return f"const {names} = {_identifier(_path(name, match[2]))};"
 
-    return _EXPORT.sub("", _IMPORT.sub(constant, _COMMENT.sub("", text)))
+    return EXPORT.sub("", IMPORT.sub(constant, COMMENT.sub("", text)))
 
 
 def _identifier(name: str) -> str:

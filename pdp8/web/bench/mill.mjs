@@ -170,7 +170,7 @@ function roundness({ radius, x, y, lowest, highest }) {
 
 function row({ block, at }) {
   let from = 0;
-  const fields = FIELDS.values().map((width) => block.digits.slice(from, (from += width)));
+  const fields = [...FIELDS.values()].map((width) => block.digits.slice(from, (from += width)));
   return html`<li>${fields.join(" ")} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
 }
 

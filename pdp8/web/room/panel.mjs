@@ -19,7 +19,7 @@ const HIGH = 1.75; // of a switch with its legend
 const LEAST = 9; // pixels of a letter, if there is room
 const bit = (index) => 2.75 + index * 0.68 + Math.floor(index / 3) * 0.2;
 const key = (index) => 12.05 + index * 0.8;
-const LIT = LAMPS.items().flatMap(([field]) => lamps(field));
+const LIT = [...LAMPS.items()].flatMap(([field]) => lamps(field));
 
 /** The lamps of a field of Panel.lamps: [field, bit, x, y]. */
 function lamps(field) {

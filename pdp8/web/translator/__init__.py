@@ -5,6 +5,8 @@
                                                                             runtime.mjs ───┘
 
 types        the types of expressions
+assigned     which names have a value
+library.pyi  what may be used of Python's own: functions, methods, their parameters
 program      all modules: what each defines and imports, and where a name leads
 inference    the type of each expression: from annotations, and from what is assigned
 expressions  operators, calls, f-strings, comprehensions
@@ -19,13 +21,15 @@ from functools import cache
 from importlib.resources import files
 
 from pdp8.web.kept import kept
-from pdp8.web.translator.modules import translate
+from pdp8.web.translator.modules import library, translate
+from pdp8.web.translator.program import Untranslated
 from tapes import codes
 
 _CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.CODES})
 
 MODULES = {
-    "tapes": "binary code codes errors expression frames hydrapoint quantities rim utf16 " + " ".join(_CODES),
+    "tapes": "binary code codes errors expression frames hydrapoint quantities rim text utf16 "
+    + " ".join(_CODES),
     "pal": "assembler assembling assembly assembly3 diagnostics dialects disassembler isa listing meaning"
     " messages models notes punch recognition review source symbols table watched",
     "pal.pal8": "assembler assembly expressions lexer literals log operators output symbols table",
@@ -47,7 +51,7 @@ MODULES = {
 OMITTED = {
     "pal.assembly": "__repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
-    "pdp8.computer.machine": "__reduce__ _copied count",
+    "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
     "pdp8.computer.use.ending": "rerun",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement"
     " _bin_tape _eia_tape",
@@ -59,21 +63,63 @@ OMITTED = {
 }
 """What is left out of the translation: code for notebooks, files and pickles, which a page does not have."""
 
+COMPILED = frozenset(
+    f"{package}.{name}"
+    for package, names in {
+        "pal": "assembler isa listing notes source table",
+        "pal.pal8": "assembler expressions lexer literals log operators output table",
+        "pdp8.computer.hardware": "bus processor teletype",
+        "pdp8.computer.speed": "engine piece waiting",
+    }.items()
+    for name in names.split()
+)
+"""What C is made of too, in which numbers have 64 bits and no index is checked: so it is here, to 2^53."""
+
+TRUSTED = {
+    "tapes.errors": "visible called",
+    "pal.source": "_utf_8",
+    "pal.listing": "object_tape listing",
+    "pdp8.computer.hardware.core": "allowed _addresses",
+    "pdp8.computer.machine": "Machine.put Machine._check_watched",
+    "pdp8.computer.hardware.fields": "walk take put changed",
+    "pdp8.computer.hardware.panel": "shares",
+    "pdp8.computer.speed.waiting": "Left",
+    "pdp8.computer.past.state": "save _written restore _parsed _check_device _fields _read _number _octal"
+    " _frames _short",
+    "pdp8.computer.past.rewind": "_check",
+    "pdp8.computer.use.operator": "Operator",
+    "pdp8.replay.script": "Script",
+    "pdp8.lessons.diagnosis": "sequence first_difference _parity",
+    "pdp8.lessons.drill": "Coach",
+    "programs.function": "centre_path",
+}
+"""Functions in which a value of unknown type is looked at when it comes: of JSON, of any field, any number.
+Tests compare what each of them does in both languages."""
+
 
 @cache
 def translated() -> dict[str, str]:
     """Return the JavaScript of all modules, {name: text}, from the cache if no source has changed."""
     sources = _sources()
-    parts = ("types", "program", "inference", "expressions", "statements", "modules")
-    own = [_source(__package__, name)[1] for name in parts]
+    parts = ("types", "assigned", "program", "inference", "expressions", "statements", "modules")
+    own = [_source(__package__, name)[1] for name in parts] + [library()]
     content = repr((sources, OMITTED, own, runtime()))
-    return dict(kept("translated", content, lambda: translate(sources, OMITTED, runtime())))
+    return dict(
+        kept(
+            "translated",
+            content,
+            lambda: translate(sources, OMITTED, runtime(), unchecked=COMPILED, trusted=TRUSTED),
+        )
+    )
 
 
 def faults() -> list[str]:
-    """Return a message for each module with a fault, the first: file, line, construct."""
+    """Return the first fault of each definition: file, line, construct, what to write instead."""
     found: list[str] = []
-    translate(_sources(), OMITTED, runtime(), found.append)
+    try:
+        translated()  # there is nothing to do if no source has changed
+    except Untranslated:
+        translate(_sources(), OMITTED, runtime(), found.append, COMPILED, TRUSTED)
     return found
 
 

@@ -3,13 +3,17 @@
 import ast
 import gc
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import cache
+from importlib.resources import files
+from types import MappingProxyType
 
-from pdp8.web.translator.expressions import RENAMED, named
+from pdp8.web.translator.expressions import member, named
+from pdp8.web.translator.inference import _set_in
 from pdp8.web.translator.program import Found, Module, Program, Untranslated
 from pdp8.web.translator.statements import Statements
-from pdp8.web.translator.types import leaf
+from pdp8.web.translator.types import INT, STR, leaf, whole
 
 _ALIASES = ("Callable", "Annotated", "Literal", "dict", "tuple", "list", "Sequence", "Mapping")
 _PROTOCOLS = {
@@ -18,29 +22,85 @@ _PROTOCOLS = {
     "__iter__": "[Symbol.iterator]() { return $.iter(this.__iter__()); }",
 }
 """What JavaScript asks of an object that has one of Python's methods."""
+_BASES = frozenset(("NamedTuple", "StrEnum", "IntEnum"))
+_TAKEN = frozenset(
+    [
+        "length",
+        "constructor",
+        "prototype",
+        "toString",
+        "valueOf",
+        "toJSON",
+        "hasOwnProperty",
+        "toLocaleString",
+    ]
+)
+_ERRORS = frozenset(("message", "name", "stack", "cause", "args"))
+_DUNDERS = frozenset(
+    [
+        "__init__",
+        "__post_init__",
+        "__str__",
+        "__len__",
+        "__iter__",
+        "__getitem__",
+        "__setitem__",
+        "__add__",
+        "__sub__",
+        "__mul__",
+        "__truediv__",
+    ]
+)
+"""What the runtime asks an object for."""
 
 
 class Writer(Statements):
     """Writes one module as JavaScript."""
 
-    def __init__(self, program: Program, module: Module) -> None:
+    def __init__(
+        self,
+        program: Program,
+        module: Module,
+        checked: bool = True,
+        trusted: str = "",
+        say: Callable[[str], object] | None = None,
+    ) -> None:
         super().__init__(program, module)
+        self.checked = checked
+        self.dynamic = frozenset(trusted.split())
+        self.say = say
         self.temporary = [[]]
         self.loops = []
+        self.declared = {}
 
     def text(self) -> str:
         """Return the module."""
-        body = [line for name, node in self.module.defined.items() for line in self._top(name, node)]
+        body: list[str] = []
+        for name, node in self.module.defined.items():
+            with self._telling():
+                body += self._top(name, node)
         head = self._imports(set(re.findall(r"[\w$]+", "\n".join(body))))
         own_names = [f"let {', '.join(self.temporary[0])};"] if self.temporary[0] else []
         return "\n".join([*head, *own_names, *body, ""])
+
+    @contextmanager
+    def _telling(self) -> Iterator[None]:
+        """Pass what has no translation to `say`, if there is one, and go on behind the block."""
+        scope, owner = self.scope, self.owner
+        try:
+            yield
+        except Untranslated as fault:
+            if self.say is None:
+                raise
+            self.say(f"{fault}")
+            self.scope, self.owner, self.loops = scope, owner, []
 
     def _imports(self, used: set[str]) -> Iterable[str]:
         up = "../" * self.module.name.count(".") or "./"
         yield f'import * as $ from "{up}pdp8/web/translator/runtime.mjs";'
         for name, (_, real) in self.module.imports.items():
             found = self.program.find(self.module, name)
-            if not found or named(name) not in used:
+            if not found or found.module.table or named(name) not in used:
                 continue
             there = named(real) if real == name else f"{named(real)} as {named(name)}"
             what = f"* as {named(name)}" if found.node is None else f"{{ {there} }}"
@@ -48,56 +108,181 @@ class Writer(Statements):
 
     def _top(self, name: str, node: ast.AST) -> list[str]:
         """Return what a module defines as `name`."""
+        self.trusted = name in self.dynamic
+        self.held = {}
         if isinstance(node, ast.ClassDef):
             return self._class(node)
         if isinstance(node, ast.FunctionDef):
             star, head, *rest = self.function(node)
+            if "cache" in map(leaf, node.decorator_list):
+                return self._cached(node, head, rest)
             return [f"export function{star} {named(name)}{head} {{", *rest]
         value = node.value if isinstance(node, ast.AnnAssign) else node
         alias = isinstance(value, ast.Subscript) and leaf(value) in _ALIASES
-        return [] if alias else [f"export const {named(name)} = {self.e(value)};"]  # type: ignore[arg-type]
+        alias = alias or (isinstance(value, ast.BinOp | ast.Name) and self._names_types(value))
+        if alias:
+            return []
+        assert isinstance(value, ast.expr)
+        if isinstance(node, ast.AnnAssign):
+            self.expect(value, self.annotated(node.annotation))
+        text = self.e(value)
+        if isinstance(node, ast.AnnAssign):
+            self.accept(value, self.annotated(node.annotation))
+        return [f"export const {named(name)} = {text};"]
+
+    def _cached(self, node: ast.FunctionDef, head: str, rest: list[str]) -> list[str]:
+        """Return a function that keeps what it has returned."""
+        kinds = [*self.parameters(node).values()]
+        if len(kinds) > 1 or any(kind not in (STR, INT) for kind in kinds):
+            self.fail(node, "cache of a function of other than one text or int", "a dict")
+        return [f"export const {named(node.name)} = $.cache({head} => {{", *rest[:-1], "});"]
+
+    def _names_types(self, node: ast.AST) -> bool:
+        """Whether a value is a name for types: `str | bytes`."""
+        match node:
+            case ast.BinOp(left, ast.BitOr(), right):
+                return self._names_types(left) and self._names_types(right)
+            case ast.Constant(None):
+                return True
+            case ast.Name(name):
+                found = self.found(node)
+                return bool(found and found.is_class) or name in (
+                    "str",
+                    "bytes",
+                    "int",
+                    "float",
+                    "bool",
+                    "list",
+                    "dict",
+                )
+        return isinstance(node, ast.Subscript) and leaf(node) in _ALIASES
 
     def _class(self, node: ast.ClassDef) -> list[str]:
         if "Protocol" in map(leaf, node.bases):
             return []
         self.owner = f"{self.module.name}.{node.name}"
-        fields = Found(self.module, node).fields
-        base = next(map(self.e, node.bases), "$.Instance" if fields is None else "$.Record")
+        of = Found(self.module, node)
+        self._declared(node, of)
+        fields = of.fields
+        base = next(map(self._base, node.bases), "$.Instance" if fields is None else "$.Record")
         lines = [f"export class {named(node.name)} extends {base} {{"]
-        lines += self._record(fields) if fields is not None else []
+        lines += self._record(of) if fields is not None else []
         after: list[str] = []
-        for member in node.body:
-            match member:
+        for part in node.body:
+            match part:
                 case ast.Expr(ast.Constant()) | ast.Pass() | ast.Assign([ast.Name("__slots__")]):
                     pass
                 case ast.FunctionDef(name):
-                    if name not in self.module.omitted and "overload" not in map(leaf, member.decorator_list):
-                        lines += self._member(member, node.name)
+                    if name not in self.module.omitted and "overload" not in map(leaf, part.decorator_list):
+                        with self._telling():
+                            lines += self._member(part, node.name)
+                case ast.AnnAssign() if fields is not None and part in fields:
+                    pass
                 case ast.Assign([ast.Name(name)], value) | ast.AnnAssign(ast.Name(name), _, value):
-                    if fields is None and value is not None:
+                    if value is not None:
+                        self._apart_from(node, value)
                         lines.append(f"static {name} = {self.e(value)};")
                         after.append(f"{node.name}.prototype.{name} = {node.name}.{name};")
                 case _:
-                    self.fail(member)
+                    self.fail(part)
         self.owner = ""
         return [*lines, "}", *after]
 
-    def _record(self, fields: list[ast.AnnAssign]) -> list[str]:
-        names = [leaf(field.target) for field in fields]
+    def _base(self, node: ast.expr) -> str:
+        found = self.program.find(self.module, leaf(node))
+        if found and found.is_class:
+            return f"$.{leaf(node)}" if found.module.table else named(leaf(node))
+        if leaf(node) not in _BASES:
+            self.fail(node, "such a base class")
+        return f"$.{leaf(node)}"
+
+    def _declared(self, node: ast.ClassDef, of: Found) -> None:
+        """Refuse classes of other kinds, and names that JavaScript's own objects have."""
+        if len(node.bases) > 1 or node.keywords:
+            self.fail(node, "a class with several bases or with keywords", "one base class")
+        for mark in node.decorator_list:
+            if leaf(getattr(mark, "func", mark)) != "dataclass":
+                self.fail(mark, "a decorator of a class")
+            for option in getattr(mark, "keywords", []):
+                if option.arg not in ("frozen", "slots", "repr"):
+                    self.fail(mark, f"dataclass({option.arg}=)")
+        error = any(each.kind.name == "BaseException" for each in self.program.lineage(of))
+        names = {each.name for each in node.body if isinstance(each, ast.FunctionDef)} - self.module.omitted
+        names |= {leaf(field.target) for field in of.fields or []}
+        for method in node.body:
+            if isinstance(method, ast.FunctionDef) and method.name in names:
+                names |= _set_in(method)
+                if of.is_enum:
+                    self.fail(method, "a method of an enumeration", "a function")
+        for name in sorted(names):
+            sized = name == "length" and not self.of_class(of.kind.name, "__len__")[1]
+            if (
+                (name in _TAKEN and not sized)
+                or (error and name in _ERRORS)
+                or (name[:2] == "__" and name not in _DUNDERS)
+            ):
+                self.fail(
+                    node,
+                    f"{name} is something else in JavaScript, or of a class of Python's own",
+                    "another name",
+                )
+        values = [ast.unparse(each.value) for each in node.body if isinstance(each, ast.Assign)]
+        if of.is_enum and len({*values}) < len(values):
+            self.fail(node, "two members of one value")
+        for each in node.body:
+            if (
+                of.is_enum
+                and isinstance(each, ast.Assign)
+                and not isinstance(each.value, ast.Constant)
+                and whole(each.value) is None
+            ):
+                self.fail(each, "a member that is no constant")
+
+    def _apart_from(self, node: ast.ClassDef, value: ast.expr) -> None:
+        """Refuse a class's attribute that is made of another of its own."""
+        own_names = {
+            leaf(target) for each in node.body if isinstance(each, ast.Assign) for target in each.targets
+        }
+        for each in ast.walk(value):
+            if isinstance(each, ast.Name) and each.id in own_names:
+                self.fail(value, "an attribute of a class made of another", "it as a constant of the module")
+
+    def _record(self, of: Found) -> list[str]:
+        found: dict[str, ast.AnnAssign] = {}
+        for each in reversed([*self.program.lineage(of)]):
+            found |= {leaf(field.target): field for field in each.fields or []}
         parameters = []
-        for name, field in zip(names, fields, strict=True):
+        for name, field in found.items():
             value = field.value
             if isinstance(value, ast.Call) and leaf(value.func) == "field":
-                value = ast.Call(value.keywords[0].value, [], [])
+                options = {each.arg: each.value for each in value.keywords}
+                if value.args or len(options) != 1 or not {*options} <= {"default_factory", "default"}:
+                    self.fail(value, "a field with such options", "default or default_factory")
+                [(option, value)] = options.items()
+                if option == "default_factory":
+                    value = ast.copy_location(ast.Call(value, [], []), field)
+            elif value is not None:
+                self._fixed(value, field.annotation)
+                self.accept(value, self.annotated(field.annotation))
             parameters.append(named(name) + (f" = {self.e(value)}" if value else ""))
-        sets = " ".join(f"this.{name} = {named(name)};" for name in names)
+        sets = " ".join(f"this.{member(name)} = {named(name)};" for name in found)
         made = f"constructor({', '.join(parameters)}) {{ super(); {sets} this.__post_init__(); }}"
-        return [f"static $fields = [{', '.join(map(repr, names))}];", made]
+        if any(each.fields is not None for each in [*self.program.lineage(of)][1:]):
+            made = made.replace("super(); ", f"super({', '.join(map(named, found))}); ").replace(
+                " this.__post_init__();", ""
+            )
+        return [f"static $fields = [{', '.join(repr(member(name)) for name in found)}];", made]
 
     def _member(self, node: ast.FunctionDef, owner: str) -> list[str]:
         marks = set(map(leaf, node.decorator_list))
-        name = RENAMED.get(node.name, node.name)
+        if "cache" in marks or ("contextmanager" in marks and "staticmethod" in marks):
+            self.fail(node, "cache of a method", "cached_property")
+        if "staticmethod" not in marks and [each.arg for each in node.args.args][:1] != ["self"]:
+            self.fail(node, "a method whose first parameter is not self", "self")
+        name, self.held = member(node.name), {}
+        trusted, self.trusted = self.trusted, self.trusted or f"{owner}.{node.name}" in self.dynamic
         star, head, *rest = self.function(node)
+        self.trusted = trusted
         made = [f"{star}{name}{head} {{", *rest]
         if "cached_property" in marks:
             kept = f'$.kept(this, "{name}", this.$made_{name}())'
@@ -107,6 +292,12 @@ class Writer(Statements):
         before = {"property": "get ", "setter": "set ", "staticmethod": "static "}
         made[0] = "".join(before.get(mark, "") for mark in marks) + made[0]
         return [*made, *([_PROTOCOLS[name]] if name in _PROTOCOLS else [])]
+
+
+@cache
+def library() -> str:
+    """Return the table of what translated modules may use of Python's own."""
+    return files(__package__).joinpath("library.pyi").read_text(encoding="utf-8")
 
 
 @contextmanager
@@ -125,10 +316,13 @@ def translate(
     omitted: dict[str, str],
     runtime: str,
     say: Callable[[str], object] | None = None,
+    unchecked: Collection[str] = (),
+    trusted: Mapping[str, str] = MappingProxyType({}),
 ) -> dict[str, str]:
     """Return the JavaScript of each of the `modules`, {name: (path, text)}, but for what is `omitted`.
 
-    Raises Untranslated, with file and line; with `say`, passes it the message and goes on.
+    Raises Untranslated, with file and line; with `say`, passes it the message and goes on. The modules that
+    are `unchecked` trust their numbers and indexes, the functions and classes that are `trusted` their types.
     """
     collecting = gc.isenabled()
     gc.disable()  # nothing of the trees is garbage before the end: a fifth of the time
@@ -137,10 +331,12 @@ def translate(
         for name, source in modules.items():
             with _telling(say):
                 read.append(Module(name, *source, omitted.get(name, "").split()))
-        program = Program(read, runtime)
+        program = Program(read, library(), runtime)
         for name, module in program.modules.items():
             with _telling(say):
-                written[name] = Writer(program, module).text()
+                written[name] = Writer(
+                    program, module, name not in unchecked, trusted.get(name, ""), say
+                ).text()
         return written
     finally:
         if collecting:

@@ -5,9 +5,25 @@ A function's names are declared at its beginning, since in Python they are the w
 
 import ast
 
+from pdp8.web.translator.assigned import Assigned
 from pdp8.web.translator.expressions import Expressions, named
 from pdp8.web.translator.inference import own
-from pdp8.web.translator.types import ANY, PLAIN, WORD, leaf, whole
+from pdp8.web.translator.types import (
+    ANY,
+    BOOL,
+    INT,
+    NUMBERS,
+    PLAIN,
+    WHOLE,
+    WORD,
+    Type,
+    either,
+    join,
+    leaf,
+    whole,
+    widened,
+    without_none,
+)
 
 _MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod", "cache"}
 _FEW = 5
@@ -19,6 +35,12 @@ class Statements(Expressions):
 
     loops: list[str]
     """The labels of the loops around."""
+    catching = False
+    """Whether an error is being handled."""
+    returns: Type = ANY
+    """What the function returns."""
+    declared: dict[str, Type]
+    """What names are annotated as."""
 
     def block(self, nodes: list[ast.stmt]) -> list[str]:
         """Return statements, one after another."""
@@ -27,105 +49,400 @@ class Statements(Expressions):
     def s(self, node: ast.stmt) -> list[str]:
         """Return one statement."""
         match node:
-            case ast.Expr(ast.Constant()) | ast.Pass() | ast.Assert():
+            case ast.Expr(ast.Constant()) | ast.Pass():
                 return []
             case ast.Import() | ast.ImportFrom() | ast.Nonlocal() | ast.AnnAssign(value=None):
                 return []
+            case ast.Assert(test, message):
+                why = self.e(message) if message else ""
+                text = self.test(test)
+                self.held |= self.said(test, True)
+                return [f"if (!{text}) throw new $.AssertionError({why});"]
+            case ast.Expr(ast.Yield(value)):
+                return [f"yield {self.e(value) if value else 'null'};"]
+            case ast.Expr(ast.YieldFrom(value)):
+                return [f"yield* {self.iterated(value)};"]
             case ast.Expr(value):
                 return [self.e(value) + ";"]
-            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(values):
+            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(
+                values
+            ) and not any(isinstance(each, ast.Starred) for each in (*targets, *values)):
                 return self._all(targets, values)
-            case ast.Assign([target], value) | ast.AnnAssign(target, _, ast.expr() as value):
-                return [self.put(target, self.e(value))]
+            case ast.Assign([target], value):
+                return [self.put(target, self._right(target, value), value)]
+            case ast.AnnAssign(target, annotation, ast.expr() as value):
+                self.expect(value, self.annotated(annotation))
+                text = self.e(value)
+                self.accept(value, self.annotated(annotation))
+                return [self.put(target, text, value)]
             case ast.Assign(targets, value):
                 once = self.temp()
-                return [f"{once} = {self.e(value)};", *(self.put(target, once) for target in targets)]
+                return [f"{once} = {self.e(value)};", *(self.put(target, once, value) for target in targets)]
             case ast.AugAssign(target, operator, value):
-                return [self._changed(target, operator, value)]
+                return self._changed(node, target, operator, value)
             case ast.If(ast.Compare(ast.Name(name))) if len(cases := self._cases([node], name)) > _FEW:
                 return self._switch(name, cases)
             case ast.If(test, body, other):
-                lines = [f"if ({self.test(test)}) {{", *self.block(body), "}"]
-                return [*lines, "else {", *self.block(other), "}"] if other else lines
+                return self._if(test, body, other)
             case ast.While(test, body, []):
-                return self._loop(f"while ({self.test(test)})", body)
+                return self._while(test, body)
             case ast.For(ast.Name() | ast.Tuple() as target, source, body, []):
-                return self._loop(f"for ({self.e(target)} of {self.e(source)})", body)
+                return self._for(node, target, source, body)
             case ast.Return(value):
-                return [f"return {self.e(value) if value else 'null'};"]
+                if value:
+                    self.expect(value, self.returns)
+                text = self.e(value) if value else "null"
+                if value:
+                    self.accept(value, self.returns)
+                return [f"return {text};"]
             case ast.Break():
                 return [f"break {self.loops[-1]};"]  # by its label, out of a switch too
             case ast.Continue():
                 return ["continue;"]
             case ast.Raise(error):
-                text = self.e(error) if error else "$e"
-                return [f"throw {f'new {text}()' if text.startswith('$.') else text};"]
+                return [f"throw {self._raised(error)};"]
             case ast.FunctionDef():
+                held, self.held = self.held, dict(self.held)
                 star, head, *rest = self.function(node)
+                self.held = held
                 if star:
-                    self.fail(node, "a generator within a function")
+                    self.fail(node, "a generator within a function", "a function of the module")
                 return [f"{named(node.name)} = {head} => {{", *rest[:-1], "};"]
             case ast.Try(orelse=[]):
                 return self._try(node)
             case ast.With([ast.withitem(context, None)], body):
                 return self._with(context, body)
-        self.fail(node)
+            case ast.Delete([ast.Subscript(of, key)]) if self.infer(of).name == "dict":
+                self._index(of, key, self.infer(of))
+                return [f"{self.e(of)}.pop_({self.e(key)});"]
+        self.fail(node, instead=_INSTEAD.get(type(node), ""))
+
+    def _raised(self, error: ast.expr | None) -> str:
+        if error is None:
+            if not self.catching:
+                self.fail(ast.Raise(), "raise without an error outside of except")
+            return "$e"
+        found = self.found(error)
+        if found and found.is_class:
+            return self.e(ast.copy_location(ast.Call(error, [], []), error))
+        return self.e(error)
+
+    def _right(self, target: ast.expr, value: ast.expr) -> str:
+        """Return what is assigned; refuse another type than the target has."""
+        text = self.e(value)
+        if isinstance(target, ast.Attribute | ast.Subscript) and not self.trusted:
+            held, self.held = self.held, {}
+            wanted = widened(self.infer(target))
+            self.held = held
+            self.accept(value, wanted)
+        elif isinstance(target, ast.Name) and target.id in self.declared:
+            self.accept(value, self.declared[target.id])
+        return text
+
+    def _if(self, test: ast.expr, body: list[ast.stmt], other: list[ast.stmt]) -> list[str]:
+        lines = [f"if ({self.test(test)}) {{"]
+        before, yes, no = dict(self.held), self.said(test, True), self.said(test, False)
+        self.held = before | yes
+        lines += [*self.block(body), "}"]
+        after, self.held = self.held, before | no
+        if other:
+            lines += ["else {", *self.block(other), "}"]
+        if self._ends(other):
+            self.held = after
+        elif not self._ends(body):
+            self.held = {key: join(kind, after[key]) for key, kind in self.held.items() if key in after}
+        return lines
+
+    def _ends(self, body: list[ast.stmt]) -> bool:
+        """Whether nothing comes after these statements."""
+        match body[-1:]:
+            case [ast.Return() | ast.Raise() | ast.Continue() | ast.Break()]:
+                return True
+            case [ast.If(_, one, other)]:
+                return self._ends(one) and self._ends(other)
+            case [ast.Expr(ast.Call() as call)]:
+                return self.infer(call).name == "never"
+        return False
+
+    def _set_in(self, body: list[ast.stmt]) -> None:
+        """Forget what has been said of what these statements set."""
+        for node in own(body):
+            if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
+                self.forget(ast.unparse(node))
+
+    def _while(self, test: ast.expr, body: list[ast.stmt]) -> list[str]:
+        self._set_in(body)
+        before = dict(self.held)
+        head = f"while ({self.test(test)})"
+        self.held = before | self.said(test, True)
+        lines = self._loop(head, body)
+        self.held = before
+        if not any(isinstance(each, ast.Break) for each in own(body)):
+            self.held = before | self.said(test, False)
+        return lines
+
+    def _for(self, node: ast.For, target: ast.expr, source: ast.expr, body: list[ast.stmt]) -> list[str]:
+        if isinstance(target, ast.Name) and (counting := self._counting(source)):
+            before, head, count = counting
+            self._set_in([node])
+            held = dict(self.held)
+            lines = [before, *self._loop(head, body, f"{self.e(target)} = {count};")]
+        else:
+            text = self.iterated(source)
+            self._set_in([node])
+            held = dict(self.held)
+            lines = self._loop(self.looped(target, text, source, ""), body)
+        self.held = held
+        return lines
+
+    def _counting(self, source: ast.expr) -> tuple[str, str, str] | None:
+        """Return what comes before a loop over a range, its head, and what counts."""
+        match source:
+            case ast.Call(ast.Name("range"), [*args], []) if len(args) < 3 and "range" not in self.scope:
+                found = self.found(source.func)
+                if not found or not found.module.table or not all(self.infer(each) in WHOLE for each in args):
+                    return None
+                first, last = args if len(args) == 2 else (ast.Constant(0), args[0])
+                count = self.temp()
+                if whole(last) is not None:
+                    return (
+                        f"{count} = {self.e(first)};",
+                        f"for (; {count} < {self.e(last)}; {count}++)",
+                        count,
+                    )
+                end = self.temp()
+                return (
+                    f"{count} = {self.e(first)}; {end} = {self.e(last)};",
+                    f"for (; {count} < {end}; {count}++)",
+                    count,
+                )
+        return None
 
     def function(self, node: ast.FunctionDef) -> list[str]:
         """Return a function: a * if it is a generator, its parameters, its statements and a brace."""
         if marks := set(map(leaf, node.decorator_list)) - _MARKS:
             self.fail(node, f"decorator {marks}")
-        head = f"({', '.join(self._parameters(node.args))})"
+        args = node.args
+        if args.posonlyargs:
+            self.fail(node, "parameters by place only", "them without /")
+        head = f"({', '.join(self._parameters(node))})"
         body = own(node.body)
         scope = self.parameters(node)
         self.scope = self.scope.new_child(scope)
         given = {*scope, *(name for part in body if isinstance(part, ast.Nonlocal) for name in part.names)}
-        scope |= {part.name: ANY for part in body if isinstance(part, ast.FunctionDef)}
+        for part in body:
+            if isinstance(part, ast.FunctionDef):
+                takes = [self.annotated(each.annotation) for each in part.args.args]
+                scope[part.name] = Type("call", (self.annotated(part.returns), *takes))
+            elif isinstance(part, ast.Nonlocal):
+                scope |= {name: self.scope.parents[name] for name in part.names if name in self.scope.parents}
         self.learn(node.body)
-        self.temporary.append([])
-        loops, self.loops = self.loops, []
-        lines = self.block(node.body)
-        self.loops = loops
-        local = [named(name) for name in scope if name not in given] + self.temporary.pop()
-        self.scope = self.scope.parents
+        outer = self.declared, self.returns, self.loops, self.catching
+        notes = {leaf(part.target): part.annotation for part in body if isinstance(part, ast.AnnAssign)}
+        self.declared = {
+            **self.parameters(node),
+            **{name: self.annotated(each) for name, each in notes.items() if name},
+        }
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
+        self.returns = ANY if star or node.returns is None else self.annotated(node.returns)
+        self.loops, self.catching = [], False
+        if star and "contextmanager" not in map(leaf, node.decorator_list):
+            self._lazy(body)
+        Assigned(
+            {name for name in scope if name not in given},
+            self.fail,
+            self.constant,
+            lambda call: self.infer(call).name == "never",
+        ).after(node.body, frozenset())
+        self.temporary.append([])
+        lines = self.block(node.body)
+        self.declared, self.returns, self.loops, self.catching = outer
+        local = [named(name) for name in scope if name not in given and name[0] != "$"] + self.temporary.pop()
+        self.scope = self.scope.parents
         return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
-    def _parameters(self, args: ast.arguments) -> list[str]:
+    def _lazy(self, body: list[ast.AST]) -> None:
+        """Refuse a generator that has something left to do where it is left."""
+        for part in body:
+            if isinstance(part, ast.Try | ast.With) and any(
+                isinstance(each, ast.Yield | ast.YieldFrom)
+                for each in own(list(ast.iter_child_nodes(part)))  # type: ignore[arg-type]
+            ):
+                self.fail(part, "yield within try or with", "the list of what it yields")
+
+    def _parameters(self, node: ast.FunctionDef) -> list[str]:
+        args = node.args
         defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)
         pairs: list[tuple[ast.arg | None, ast.expr | None]] = [*zip(args.args, defaults, strict=True)]
         pairs += [(args.vararg, None), *zip(args.kwonlyargs, args.kw_defaults, strict=True)]
-        given = {each.arg: default for each, default in [*pairs, (args.kwarg, None)] if each}
-        given.pop("self", None)
-        return [named(name) + (f" = {self.e(value)}" if value else "") for name, value in given.items()]
+        found = []
+        for each, default in [*pairs, (args.kwarg, None)]:
+            if each is None or (each.arg == "self" and self.owner):
+                continue
+            if default is not None:
+                self._fixed(default, each.annotation)
+                if each.annotation is not None:
+                    self.accept(default, self.annotated(each.annotation))
+            found.append(named(each.arg) + (f" = {self.e(default)}" if default else ""))
+        return found
 
-    def put(self, target: ast.expr, value: str) -> str:
-        """Return the assignment of what is written as `value`."""
+    def _fixed(self, node: ast.expr, annotation: ast.expr | None) -> None:
+        """Refuse a default that Python makes once and JavaScript at each call, unless it is only read."""
+        if (
+            leaf(annotation) in ("Mapping", "Sequence", "Iterable", "Collection", "Set")
+            and not list(own([ast.Expr(node)]))[2:]
+        ):
+            return
+        for each in ast.walk(node):
+            if isinstance(each, ast.Name) and each.id in self.scope:
+                self.fail(node, "a default of a name that may change", "None and the value in the function")
+            if isinstance(
+                each,
+                ast.List | ast.Dict | ast.Set | ast.ListComp | ast.DictComp | ast.SetComp | ast.GeneratorExp,
+            ):
+                self.fail(node, "a default that may change", "None and the value in the function")
+            if isinstance(each, ast.Call):
+                found = self.found(each.func)
+                frozen = found and found.is_class and found.fields is not None
+                if not frozen and leaf(each.func) not in ("frozenset", "bytes", "float", "int"):
+                    self.fail(node, "a call as a default", "None and the value in the function")
+
+    def put(self, target: ast.expr, value: str, node: ast.expr | None = None) -> str:
+        """Return the assignment of what is written as `value`, and was `node`."""
         match target:
             case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
-                kind = self.infer(of).name
-                direct = kind == "words" or (kind == "list" and self.infer(index) == WORD)
-                if not direct or (whole(index) or 0) < 0:
+                kind = self.known(of)
+                if kind.name == "dict":
+                    self._index(of, index, kind)
+                    return f"{self.e(of)}.set({self.e(index)}, {value});"
+                own_class = self.program.classes.get(kind.name)
+                ours = own_class and own_class.module.table == ""
+                if kind.name not in ("list", "words", "bytearray") and not ours and not self.trusted:
+                    self.fail(target, f"an item of {kind} is set", "a list")
+                if not self.trusted:
+                    self._index(of, index, kind)
+                direct = kind.name == "words" or (kind.name == "list" and self.infer(index) == WORD)
+                if self.checked or not direct or (whole(index) or 0) < 0:
                     return f"$.put({self.e(of)}, {self.e(index)}, {value});"
                 return f"{self.e(of)}[{self.e(index)}] = {value};"
-            case ast.Name() | ast.Attribute():
+            case ast.Name(name):
+                self._now(name, node, self.scope.get(name, ANY))
                 return f"{self.e(target)} = {value};"
+            case ast.Attribute(of, name):
+                self._changeable(target, of)
+                kind = self._attribute_type(target, None)
+                self._now(ast.unparse(target), node, kind)
+                return f"{self.target(target)} = {value};"
             case ast.Tuple() if not any(isinstance(each, ast.Subscript) for each in ast.walk(target)):
-                return f"{self.e(target)} = {value};"
-        self.fail(target)
+                for each in ast.walk(target):
+                    if isinstance(each, ast.Name | ast.Attribute) and isinstance(each.ctx, ast.Store):
+                        self.forget(ast.unparse(each))
+                kind = self.infer(node) if node else ANY
+                if not self.fits_target(target, kind):
+                    count, star = self._counted(target, kind)
+                    value = f"$.unpack({value}, {count}{star})"
+                    if not self.fits(kind, Type("iterable", (ANY,))) and not self.trusted:
+                        self.fail(target, f"{kind} is unpacked", "an annotation")
+                return f"{self.target(target)} = {value};"
+        self.fail(target, instead="an assignment to a name or an item")
+
+    def _now(self, key: str, node: ast.expr | None, declared: Type) -> None:
+        """Know the type that a name or an attribute has from here on."""
+        kind = self.infer(node) if node is not None and declared.name in ("|", "SupportsInt") else None
+        self.forget(key)
+        if (
+            kind is not None
+            and kind != ANY
+            and (declared.name != "|" or all(each in declared.of for each in either(kind)))
+        ):
+            self.held[key] = kind
+
+    def _changeable(self, target: ast.Attribute, of: ast.expr) -> None:
+        """Refuse to set what cannot be set, or not so in JavaScript."""
+        found = self.found(of)
+        if found is not None and (found.node is None or found.is_class):
+            self.fail(target, "an attribute of a class or module is set", "an attribute of an instance")
+        if self.trusted:
+            return
+        self.attributed(target)
+        for each in either(self.known(of)):
+            known = self.program.classes.get(each.name)
+            if (
+                known
+                and known.fields is not None
+                and (known.is_tuple or "frozen=True" in "".join(map(ast.unparse, known.node.decorator_list)))
+            ):
+                self.fail(target, "a field of what is frozen is set", "replace(...)")
 
     def _all(self, targets: list[ast.expr], values: list[ast.expr]) -> list[str]:
         """Return `a, b = x, y`: all values are there before any is assigned."""
-        given = [(self.temp(), self.e(value)) for value in values]
+        given = [
+            (self.temp(), self._right(target, value)) for target, value in zip(targets, values, strict=True)
+        ]
         before = [f"{once} = {value};" for once, value in given]
-        return before + [self.put(target, once) for target, (once, _) in zip(targets, given, strict=True)]
+        puts = []
+        for target, (once, _), value in zip(targets, given, values, strict=True):
+            puts.append(self.put(target, once, value))
+        return before + puts
 
-    def _changed(self, target: ast.expr, operator: ast.operator, value: ast.expr) -> str:
-        before, by = self.e(target), self.e(value)
-        if isinstance(operator, ast.Add | ast.BitOr) and self.infer(target) not in PLAIN:
+    def _changed(
+        self, node: ast.AugAssign, target: ast.expr, operator: ast.operator, value: ast.expr
+    ) -> list[str]:
+        """Return `target += value`; what leads to the target is looked at once."""
+        before, target = self._once(target)
+        now, by = self.e(target), self.e(value)
+        kind = without_none(self.infer(target))
+        plain = kind in PLAIN or kind.name in ("tuple", "row", "bytes", "|") or kind == ANY
+        if isinstance(target, ast.Name | ast.Attribute) and kind in (*NUMBERS, BOOL):
+            self.accept_number(node, target, operator, value)
+        if not plain and isinstance(operator, ast.Add | ast.BitOr):
+            if kind.name in ("list", "bytearray"):
+                by = self.iterated(value)
+            elif kind.name not in ("set", "dict") or self.infer(value).name != kind.name:
+                self.fail(node, f"{kind} grows")
             by += ", $.add" if isinstance(operator, ast.Add) else ", $.or_"
-            return self.put(target, f"$.grown({before}, {by})")
-        return self.put(target, self.binary(operator, (before, target), (by, value)))
+            return [*before, self.put(target, f"$.grown({now}, {by})")]
+        if not plain and kind.name in ("set", "dict", "list", "bytearray"):
+            self.fail(node, f"{kind} is changed by this operator")
+        return [*before, self.put(target, self.binary(node, operator, (now, target), (by, value)))]
+
+    def accept_number(
+        self, node: ast.AugAssign, target: ast.expr, operator: ast.operator, value: ast.expr
+    ) -> None:
+        """Refuse `n /= 2` where n is annotated an int."""
+        wanted = self.declared.get(target.id) if isinstance(target, ast.Name) else self.infer(target)
+        result = self.infer(ast.copy_location(ast.BinOp(target, operator, value), node))
+        if wanted in (INT, WORD) and result not in (INT, WORD, BOOL) and not self.trusted:
+            self.fail(node, f"{result} where {wanted} is annotated")
+
+    def _once(self, target: ast.expr) -> tuple[list[str], ast.expr]:
+        """Return a target whose parts are names, and what sets these before."""
+        before: list[str] = []
+
+        def simple(part: ast.expr) -> ast.expr:
+            if isinstance(part, ast.Name | ast.Constant) or whole(part) is not None:
+                return part
+            if isinstance(part, ast.Attribute) and not (found := self.found(part)) and not found:
+                return ast.copy_location(ast.Attribute(simple(part.value), part.attr, ast.Load()), part)
+            if (
+                isinstance(part, ast.BinOp)
+                and isinstance(part.left, ast.Name)
+                and whole(part.right) is not None
+            ):
+                return part
+            once = self.temp()
+            before.append(f"{once} = {self.e(part)};")
+            self.scope.maps[0][once] = self.infer(part)
+            return ast.copy_location(ast.Name(once, ast.Load()), part)
+
+        match target:
+            case ast.Attribute(of, name):
+                return before, ast.copy_location(ast.Attribute(simple(of), name, ast.Store()), target)
+            case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
+                return before, ast.copy_location(
+                    ast.Subscript(simple(of), simple(index), ast.Store()), target
+                )
+        return before, target
 
     def _cases(self, body: list[ast.stmt], name: str) -> list[tuple[str, list[ast.stmt]]]:
         """Return number and statements of each case of `if name == 1: ... elif name == 2: ... else: ...`."""
@@ -138,32 +455,75 @@ class Statements(Expressions):
         return [("default:", body)]
 
     def _switch(self, name: str, cases: list[tuple[str, list[ast.stmt]]]) -> list[str]:
-        lines = [line for head, body in cases for line in (f"{head} {{", *self.block(body), "break; }")]
+        lines, held = [], dict(self.held)
+        for head, body in cases:
+            self.held = dict(held)
+            lines += [f"{head} {{", *self.block(body), "break; }"]
+        self.held = held
+        self._set_in([each for _, body in cases for each in body])
         return [f"switch ({named(name)}) {{", *lines, "}"]
 
-    def _loop(self, head: str, body: list[ast.stmt]) -> list[str]:
+    def _loop(self, head: str, body: list[ast.stmt], first: str = "") -> list[str]:
         label = f"$l{len(self.loops)}"
         self.loops.append(label)
-        lines = [f"{label}: {head} {{", *self.block(body), "}"]
+        lines = [f"{label}: {head} {{", *([first] if first else []), *self.block(body), "}"]
         self.loops.pop()
         return lines
 
     def _try(self, node: ast.Try) -> list[str]:
+        held = dict(self.held)
         lines = ["try {", *self.block(node.body)]
+        after, self.held = self.held, held
+        self._set_in(node.body)
+        held, ended = dict(self.held), True
         if node.handlers:
             lines.append("} catch ($raised) { const $e = $.raised($raised);")
             for handler in node.handlers:
-                caught = f"$.isinstance($e, {self.e(handler.type)})" if handler.type else "true"
-                lines.append(f"if ({caught}) {{")
+                self.held = dict(held)
+                lines.append(f"if ({self._caught(handler)}) {{")
                 lines += [f"{named(handler.name)} = $e;"] if handler.name else []
+                catching, self.catching = self.catching, True
                 lines += [*self.block(handler.body), "} else"]
+                self.catching = catching
+                ended = ended and self._ends(handler.body)
             lines.append("throw $e;")
+        self.held = after if ended else held
+        for handler in node.handlers:
+            self._set_in(handler.body)
         lines += ["} finally {", *self.block(node.finalbody)] if node.finalbody else []
         return [*lines, "}"]
 
+    def _caught(self, handler: ast.ExceptHandler) -> str:
+        if handler.type is None:
+            self.fail(handler, "except without an error", "except Exception")
+        kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
+        texts = []
+        for each in kinds:
+            found = self.found(each)
+            if not found or not found.is_class:
+                self.fail(each, f"the table of what may be used has no error {leaf(each)}")
+            texts.append(f"$.{leaf(each)}" if found.module.table else named(leaf(each)))
+        return f"$.isinstance($e, {texts[0] if len(texts) == 1 else '[' + ', '.join(texts) + ']'})"
+
     def _with(self, context: ast.expr, body: list[ast.stmt]) -> list[str]:
         """A context manager is a generator: what comes after its `yield` is done with the error, if any."""
+        found = self.found(context.func) if isinstance(context, ast.Call) else None
+        if not found or "contextmanager" not in map(leaf, getattr(found.node, "decorator_list", ())):
+            self.fail(context, "a context manager that is no generator", "a function with @contextmanager")
         once = self.temp()
         begin = f"{once} = {self.e(context)}; {once}.next();"
         end = f"{once}.throw($.raised($raised)); }} finally {{ {once}.next(); }}"
         return [begin, "try {", *self.block(body), f"}} catch ($raised) {{ {end}"]
+
+
+_INSTEAD: dict[type[ast.AST], str] = {
+    ast.While: "a loop without else",
+    ast.For: "a loop without else, over one name or several",
+    ast.Match: "if and elif",
+    ast.Global: "an attribute of an instance",
+    ast.ClassDef: "the class in the module",
+    ast.Delete: "a new list",
+    ast.Try: "the rest after the try",
+    ast.With: "one context manager without a name",
+    ast.AsyncFunctionDef: "it without async",
+}

@@ -1,14 +1,17 @@
-"""What is known of an expression before it runs: its type, from annotations and from what is assigned.
+"""The types of expressions, as the translator infers them from annotations and from what is assigned.
 
     word    a whole number from 0 to 2^31: JavaScript's operators of 32 bits are right for it
-    int     any other whole number, exact to 2^53
-    float, bool, str
-    list    any sequence, and words, an array of numbers, each with the type of its items
+    int     any other whole number
+    float   a float for sure; real is what is annotated as one, which may be an int too
+    list, tuple, row (a tuple of any length), sequence (any of them), iterator, iterable, dict, view, set
+    words   an array of numbers below 2^16
+    call    what can be called: what it returns, and what it takes
+    |       one of several
     a class by `module.Class`
-    ?       nothing is known: the runtime looks when it runs
+    ?       nothing is known
+    unseen  nothing yet: the items of an empty list
 
-`X | None` counts as X. An attribute is an int at least, whatever it begins with. Types make the machine fast;
-without one an expression means the same.
+JavaScript does not tell 1 from 1.0, a list from a tuple: where that would be seen, the type decides.
 """
 
 import ast
@@ -20,19 +23,27 @@ class Type(NamedTuple):
     """The type of an expression, and of the items in it."""
 
     name: str
-    of: "Type | None" = None
+    of: tuple["Type", ...] = ()
 
-    @property
-    def item(self) -> "Type":
-        """What an iteration yields."""
-        return self if self == STR else self.of or ANY
+    def __str__(self) -> str:
+        if self.name == "|":
+            return " | ".join(map(str, self.of))
+        name = _READ.get(self.name, self.name.rpartition(".")[2])
+        return f"{name}[{', '.join(map(str, self.of))}]" if self.of else name
 
+
+_READ = {"?": "a value of unknown type", "word": "int", "real": "float", "row": "tuple", "unseen": "?"}
 
 ANY, NONE, UNSEEN = Type("?"), Type("None"), Type("unseen")
-WORD, INT, FLOAT, BOOL, STR = Type("word"), Type("int"), Type("float"), Type("bool"), Type("str")
-BYTES, WORDS = Type("list", WORD), Type("words", WORD)
-NUMBERS = (WORD, INT, FLOAT)
+WORD, INT, FLOAT, REAL = Type("word"), Type("int"), Type("float"), Type("real")
+BOOL, STR = Type("bool"), Type("str")
+BYTES, BYTEARRAY, WORDS = Type("bytes"), Type("bytearray"), Type("words")
+WHOLE = (WORD, INT)
+FLOATS = (FLOAT, REAL)
+NUMBERS = (*WHOLE, *FLOATS)
 PLAIN = (*NUMBERS, BOOL, STR)
+_MUTABLE = ("list", "dict", "set")
+_ITEMS = {"bytes": WORD, "bytearray": WORD, "words": WORD, "str": STR}
 
 
 def leaf(node: ast.AST | None) -> str:
@@ -42,13 +53,77 @@ def leaf(node: ast.AST | None) -> str:
     return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
-def join(one: Type, other: Type) -> Type:
-    """Return the type of what is one or the other."""
-    if one == other or other in (NONE, UNSEEN):
-        return one
-    if one in (NONE, UNSEEN):
-        return other
-    return max(one, other, key=NUMBERS.index) if one in NUMBERS and other in NUMBERS else ANY
+def either(kind: Type) -> tuple[Type, ...]:
+    """Return the types that something of `kind` may have."""
+    return kind.of if kind.name == "|" else (kind,)
+
+
+def join(*kinds: Type) -> Type:
+    """Return the type of what is of one of these types."""
+    found: list[Type] = []
+    for kind in (each for one in kinds for each in either(one)):
+        if kind == ANY:
+            return ANY
+        if kind == UNSEEN or kind in found:
+            continue
+        for at, other in enumerate(found):
+            if (both := _merged(other, kind)) is not None:
+                found[at] = both
+                break
+        else:
+            found.append(kind)
+    return Type("|", tuple(found)) if len(found) > 1 else found[0] if found else UNSEEN
+
+
+def _merged(one: Type, other: Type) -> Type | None:
+    """Return the type that takes in both, None if there is none but their union."""
+    if one in NUMBERS and other in NUMBERS:
+        return INT if one in WHOLE and other in WHOLE else FLOAT if one == other == FLOAT else REAL
+    names = {one.name, other.name}
+    if names == {"tuple"} and len(one.of) == len(other.of):
+        return Type("tuple", tuple(map(join, one.of, other.of)))
+    if names <= {"tuple", "row"}:
+        return Type("row", (join(*one.of, *other.of),))
+    if len(names) == 1 and one.of and len(one.of) == len(other.of) and one.name != "call":
+        return Type(one.name, tuple(map(join, one.of, other.of)))
+    return None
+
+
+def without_none(kind: Type) -> Type:
+    """Return what `kind` is when it is not None."""
+    return join(*(each for each in either(kind) if each != NONE)) if kind.name == "|" else kind
+
+
+def widened(kind: Type) -> Type:
+    """Return the type of an attribute or an item that begins as `kind` and may change."""
+    if kind == WORD:
+        return INT
+    return Type(kind.name, tuple(map(widened, kind.of))) if kind.of and kind.name != "call" else kind
+
+
+def made(name: str, *of: Type) -> Type:
+    """Return the type of a list, set or dict of `of`."""
+    return Type(name, tuple(map(widened, of)) if name in _MUTABLE else of)
+
+
+def item_of(kind: Type) -> Type:
+    """Return what an iteration yields, as far as it is no class of ours."""
+    if kind.name == "|":
+        return join(*map(item_of, kind.of))
+    if kind.name == "tuple":
+        return join(*kind.of)
+    if kind.name == "call":
+        return ANY
+    return _ITEMS.get(kind.name) or (kind.of[0] if kind.of else ANY)
+
+
+def filled(pattern: Type, given: dict[str, Type]) -> Type:
+    """Return `pattern` with what stands for its type variables."""
+    if pattern.name[0] == "~":
+        return given.get(pattern.name, UNSEEN)
+    if pattern.name == "|":
+        return join(*(filled(each, given) for each in pattern.of))
+    return made(pattern.name, *(filled(each, given) for each in pattern.of)) if pattern.of else pattern
 
 
 @cache

@@ -26,8 +26,9 @@ _DRIVER = """
 import { readFileSync } from "node:fs";
 import { bytes, Dict } from "@/pdp8/web/translator/runtime.mjs";
 const plain = (of) =>
-  of instanceof Dict ? of.items().map(plain)
+  of instanceof Dict ? Array.from(of.items(), plain)
   : of instanceof Number ? of.valueOf()
+  : typeof of === "bigint" ? Number(of)
   : of === null || typeof of !== "object" ? of
   : of[Symbol.iterator] ? Array.from(of, plain)
   : of.constructor.$fields?.map((name) => plain(of[name])) ?? of;

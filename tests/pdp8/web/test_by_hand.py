@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.web import bundle, translator
+from pdp8.web import translator
+from pdp8.web.names import exports
 from tests.pdp8.web import node
 
 TOOLS = node.HOUSE / "tests" / "node"
@@ -34,7 +35,7 @@ def test_eslint() -> None:
 
 def test_types(tmp_path: Path) -> None:
     declared = {
-        module: "".join(f"export const {name}: any;\n" for name in bundle.exports(text))
+        module: "".join(f"export const {name}: any;\n" for name in exports(text))
         for module, text in translator.translated().items()
     }
     node.write(tmp_path, declared, ".d.mts")

@@ -76,8 +76,8 @@ def _value(expression: str, names: dict[str, Any]) -> Any:
             assume(not isinstance(part, int) or abs(part) < EXACT)
     try:
         return eval(expression, _CODE, names)
-    except ZeroDivisionError:
-        return "ZeroDivisionError: division by zero"
+    except ZeroDivisionError as error:
+        return f"ZeroDivisionError: {error}"
 
 
 def _same(there: Any, wanted: Any) -> bool:

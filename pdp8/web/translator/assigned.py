@@ -1,0 +1,165 @@
+"""Which names of a function have a value where they are read.
+
+In Python a name without one is an error when it is read, in JavaScript it is `undefined`. So a name that may
+have none is refused: one that is set only in a branch, or in a loop that may not run.
+"""
+
+import ast
+from collections.abc import Callable, Iterable
+
+_INNER = ast.FunctionDef | ast.Lambda | ast.ClassDef
+_COMPREHENSIONS = ast.ListComp | ast.SetComp | ast.DictComp | ast.GeneratorExp
+
+
+class Assigned:
+    """Goes through a function's statements; `known` are its parameters, `local` all names that it sets."""
+
+    def __init__(
+        self,
+        local: Iterable[str],
+        refuse: Callable[[ast.AST, str], object],
+        constant: Callable[[ast.expr], ast.AST],
+        ends: Callable[[ast.expr], bool],
+    ) -> None:
+        self._local = frozenset(local)
+        self._refuse = refuse
+        self._constant = constant
+        self._ends = ends
+        self._breaks: list[list[frozenset[str]]] = []
+
+    def after(self, body: list[ast.stmt], known: frozenset[str] | None) -> frozenset[str] | None:
+        """Return the names that have a value behind these statements; None if nothing comes there."""
+        for node in body:
+            if known is None:
+                return None
+            known = self._statement(node, known)
+        return known
+
+    def _statement(self, node: ast.stmt, known: frozenset[str]) -> frozenset[str] | None:
+        match node:
+            case ast.If(test, body, other):
+                where_true = self._if_true(test, known)
+                return _both(self.after(body, where_true), self.after(other, self._read(test, known)))
+            case ast.While(test, body):
+                where_true, known = self._if_true(test, known), self._read(test, known)
+                endless = isinstance(test, ast.Constant) and bool(test.value)
+                return self._loop(body, where_true, None if endless else frozenset(known))
+            case ast.For(target, source, body):
+                known = self._read(source, known)
+                inside = known | _set_in(target)
+                return self._loop(body, inside, inside if _runs(self._constant(source)) else known)
+            case ast.Try(body, handlers, _, last):
+                ends = [self.after(body, known)]
+                for handler in handlers:
+                    ends.append(self.after(handler.body, known | {handler.name or ""}))
+                found = ends[0]
+                for end in ends[1:]:
+                    found = _both(found, end)
+                self.after(last, known)
+                return found if found is None else found | _of_all(last)
+            case ast.With(items, body):
+                for item in items:
+                    known = self._read(item.context_expr, known)
+                return self.after(body, known)
+            case ast.Return() | ast.Raise():
+                self._read(node, known)
+                return None
+            case ast.Break():
+                self._breaks[-1].append(known)
+                return None
+            case ast.Continue():
+                return None
+            case ast.FunctionDef(name):
+                return known | {name}
+            case ast.AugAssign(target, _, value):
+                if isinstance(target, ast.Name):
+                    self._read(ast.Name(target.id, ast.Load(), lineno=node.lineno), known)
+                return self._read(value, self._read(target, known))
+            case ast.Expr(ast.Call() as call) if self._ends(call):
+                self._read(node, known)
+                return None
+        return self._read(node, known) | _set_in(node)
+
+    def _loop(
+        self, body: list[ast.stmt], known: frozenset[str], after: frozenset[str] | None
+    ) -> frozenset[str] | None:
+        self._breaks.append([])
+        end = self.after(body, known)
+        if after is known and end is not None:  # it runs at least once
+            after = end
+        for each in self._breaks.pop():
+            after = _both(after, each)
+        return after
+
+    def _if_true(self, test: ast.expr, known: frozenset[str]) -> frozenset[str]:
+        """Return what is known where a test is true."""
+        parts = test.values if isinstance(test, ast.BoolOp) and isinstance(test.op, ast.And) else [test]
+        for part in parts:
+            known = self._read(part, known)
+        return known
+
+    def _read(self, node: ast.AST, known: frozenset[str]) -> frozenset[str]:
+        """Refuse a name that may have no value; return what is known behind the expression."""
+        if isinstance(node, ast.Name):
+            if isinstance(node.ctx, ast.Load) and node.id in self._local - known:
+                self._refuse(node, "it may have no value here")
+            return known
+        if isinstance(node, _INNER):
+            return known
+        if isinstance(node, _COMPREHENSIONS):
+            inner = known
+            for generator in node.generators:
+                inner = self._read(generator.iter, inner) | _set_in(generator.target)
+                for test in generator.ifs:
+                    inner = self._read(test, inner)
+            for part in (node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,):
+                self._read(part, inner)
+            return known
+        if isinstance(node, ast.NamedExpr):
+            return self._read(node.value, known) | _set_in(node.target)
+        if isinstance(node, ast.BoolOp):
+            first = inner = self._read(node.values[0], known)
+            for value in node.values[1:]:
+                inner = self._read(value, inner)
+            return first
+        if isinstance(node, ast.IfExp):
+            tested = self._read(node.test, known)
+            self._read(node.body, self._if_true(node.test, known))
+            self._read(node.orelse, tested)
+            return tested
+        for child in ast.iter_child_nodes(node):
+            known = self._read(child, known)
+        return known
+
+
+def _both(one: frozenset[str] | None, other: frozenset[str] | None) -> frozenset[str] | None:
+    if one is None or other is None:
+        return other if one is None else one
+    return one & other
+
+
+def _set_in(node: ast.AST) -> frozenset[str]:
+    """Return the names that a target or a plain statement sets."""
+    return frozenset(
+        each.id for each in ast.walk(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+    )
+
+
+def _of_all(body: list[ast.stmt]) -> frozenset[str]:
+    return frozenset().union(
+        *(_set_in(each) for each in body if isinstance(each, ast.Assign | ast.AnnAssign))
+    )
+
+
+def _runs(source: ast.AST) -> bool:
+    """Whether a loop over this runs at least once: over a display, or a range of constants."""
+    match source:
+        case ast.Tuple(items) | ast.List(items):
+            return any(not isinstance(each, ast.Starred) for each in items)
+        case ast.Call(ast.Name("enumerate"), [ast.Tuple() | ast.List() as inner, *_]):
+            return _runs(inner)
+        case ast.Call(ast.Name("range"), args) if all(
+            isinstance(each, ast.Constant | ast.UnaryOp) for each in args
+        ):
+            return bool(eval(compile(ast.Expression(source), "<range>", "eval"), {"range": range}))
+    return False

@@ -1,0 +1,11 @@
+r"""Lines of text, as PAL, tapes and the pages have them.
+
+A line ends at CR LF, CR or LF. A form feed, a vertical tab or a separator of Unicode, which end lines for
+`str.splitlines`, is a character like any other.
+"""
+
+
+def lines_of(text: str) -> list[str]:
+    """Return the lines of `text` without their ends; an empty rest is no line."""
+    found = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    return found if found[-1] else found[:-1]
