@@ -182,7 +182,7 @@ class Expressions(Types):
     def e(self, node: ast.expr) -> str:
         """Return an expression."""
         if (number := whole(node)) is not None:
-            if abs(number) >= MOST and (self.checked or int(float(number)) != number):
+            if abs(number) >= MOST and (abs(number) >= 1 << 1000 or int(float(number)) != number):
                 return f"({number}n)" if number < 0 else f"{number}n"
             return f"({number})" if number < 0 else str(number)
         match node:

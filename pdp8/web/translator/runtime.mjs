@@ -328,6 +328,7 @@ const HALF = 2 ** 32;
 const bitwise = (by, great, other) => (a, b) => {
   if ((typeof a === "number" && typeof b === "number") || (typeof a === "boolean" && typeof b === "boolean")) {
     if ((a | 0) === a && (b | 0) === b) return by(a, b);
+    if (!small(a) || !small(b)) return exact(great(BigInt(a), BigInt(b)));
     const made = by(Math.floor(a / HALF), Math.floor(b / HALF)) * HALF + (by(a, b) >>> 0);
     return typeof a === "boolean" ? Boolean(made) : made;
   }
