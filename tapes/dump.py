@@ -9,6 +9,7 @@ import re
 from typing import Final, NamedTuple
 
 from tapes.errors import TextError
+from tapes.text import with_ends
 
 _MARK = re.compile(r"(?:(?:0x|\\x|\$)(?=[0-9a-f])|0o(?=[0-7]{3}$)|0b(?=[01]{8}$))", re.IGNORECASE)
 _ADDRESS = re.compile(r"\s*[0-9a-fA-F]+:\s*")
@@ -58,7 +59,7 @@ def found(content: bytes) -> Dump | None:
 def _numbers(text: str) -> list[tuple[str, int]]:
     """Return the numbers of a text without marks and addresses, each with its place."""
     lines, at = [], 0
-    for line in text.splitlines(keepends=True):
+    for line in with_ends(text):
         numbers = _NUMBER.finditer(_data(line))
         lines.append([(_MARK.sub("", number[0], count=1), at + number.start()) for number in numbers])
         at += len(line)

@@ -6,20 +6,17 @@
 The number before the colon counts the line's first frame and is not read back, nor is what follows a "/".
 """
 
-import re
-
 from tapes.errors import TextError
+from tapes.text import with_ends
 
 _A_LINE = 16
-_ENDED = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+")
-"""A line with its end, as `tapes.text` has them."""
 
 
 def encode(text: str) -> bytes:
     """Return the frames that `text` spells. Raises TextError for anything but octal numbers from 0 to 377."""
     frames = bytearray()
     start = 0
-    for line in _ENDED.findall(text):
+    for line in with_ends(text):
         spelled = line.partition("/")[0]
         at = spelled.find(":") + 1
         for number in spelled[at:].split():

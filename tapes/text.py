@@ -4,6 +4,16 @@ A line ends at CR LF, CR or LF. A form feed, a vertical tab or a separator of Un
 `str.splitlines`, is a character like any other.
 """
 
+import re
+
+_ENDED = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+")
+
+
+def with_ends(text: str) -> list[str]:
+    """Return the lines of `text` with their ends."""
+    found: list[str] = _ENDED.findall(text)
+    return found
+
 
 def lines_of(text: str) -> list[str]:
     """Return the lines of `text` without their ends; an empty rest is no line."""

@@ -143,7 +143,8 @@ class Types:
                 items = inner.elts if isinstance(inner, ast.Tuple) else [inner]
                 return self._generic(name, items, module)
             case ast.Name() | ast.Attribute():
-                found = self.program.find(module, name)
+                of = self.program.find(module, leaf(node.value)) if isinstance(node, ast.Attribute) else None
+                found = self.program.find(of.module if of and of.node is None else module, name)
                 if found and found.is_class and not found.module.table:
                     return found.kind
                 if found and isinstance(found.node, ast.expr):

@@ -157,6 +157,10 @@ give(String, {
     const at = place(this, from);
     return at > Math.min(place(this, to), this.length) ? -1 : this.slice(0, to).indexOf(what, at);
   },
+  index(what) {
+    const at = this.indexOf(what);
+    return at < 0 ? refuse(ValueError, "substring not found") : at;
+  },
   rfind: String.prototype.lastIndexOf,
   count(what, from, to) {
     if (place(this, from ?? 0) > Math.min(place(this, to ?? Infinity), this.length)) return 0;
