@@ -60,7 +60,14 @@ ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = written("*200", " JMP X", "$")
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); {opened('debugger')}"
 ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
-ROOM = "if (!workbench.room.open) workbench.enter();"
+CLOSE = "document.querySelectorAll('dialog').forEach((box) => box.close());"
+ROOM = f"{CLOSE} if (!workbench.room.open) workbench.enter();"
+TAKEN = f"{ROOM} if (!workbench.room.live) workbench.room.take();"
+WAITS = (
+    f"{TAKEN} {MACHINE}.load([6031, 5200, 6036, 6046, 5200].map((word, at) =>"
+    f" [0o200 + at, parseInt(word, 8)])); {MACHINE}.start(0o200);"
+    f"{TTY}.punch.frames.append(0o301); workbench.touched();"
+)
 AFTERNOON = "workbench.afternoon.go(6e10);"
 CUT = "workbench.mill.cut('circle.eia');"
 EXERCISES = f"{opened('exercises')} workbench.exercises.open('add');"
@@ -191,6 +198,20 @@ CONTROLS = {
     "#take": Control("workbench.room.live", ROOM),
     "#write": Control("workbench.room.open", ROOM),
     "#leave": Control("workbench.room.open", ROOM),
+    "#help": Control(
+        f"[{P}.pc, {P}.sr]", f"{TAKEN} {MACHINE}.panel.stop(); {MACHINE}.panel.sr = 0; workbench.touched();"
+    ),
+    "#mine": Control(SENT, WAITS, "a"),
+    "#see": Control("document.getElementById('tape').open", WAITS),
+    "#turn": Control("workbench.room.typing", WAITS),
+    "#speak": Control("document.getElementById('room').className", TAKEN),
+    "#authentic": Control("document.getElementById('truth').open", ROOM),
+    "#tape button": Control(
+        "document.getElementById('tape').open", f"{ROOM} document.getElementById('tape').showModal();"
+    ),
+    "#truth button": Control(
+        "document.getElementById('truth').open", f"{ROOM} document.getElementById('truth').showModal();"
+    ),
 }
 
 
