@@ -74,6 +74,10 @@ SECONDS ?= 600
 leak: .venv/ready-check ## translate the circle on the page, and compare the heap (SECONDS=600)
 	LEAK=$(SECONDS) $(BIN)/pytest -q -rP tests/pdp8/web/test_workbench.py -k leaks
 
+.PHONY: claims
+claims: .venv/ready-check ## run the test of every claim about the thesis, then with wider bounds
+	$(BIN)/python -m tests.claims.register
+
 .PHONY: faults
 faults: .venv/ready-check ## put each fault of tests/faults/ into a copy; a test has to find it
 	$(BIN)/python -m tests.faults -j $(shell nproc)

@@ -5,6 +5,7 @@ have feed codes 01 to 05. With more, fewest.c prints 128 for the slope (01 to 18
 """
 
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -59,7 +60,10 @@ def search(shape: Shape, fastest: int = 5, margin: int = 800) -> str:
 
 
 def main() -> None:
-    """Search for all shapes and write their tapes."""
+    """Search for all shapes and write their tapes; or print the least of one, `slope 6`: codes 01 to 06."""
+    if len(sys.argv) == 3:
+        print(search(SHAPES[sys.argv[1]], int(sys.argv[2]), margin=100).count("\n") - 6)
+        return
     for name, shape in SHAPES.items():
         (TAPES / f"{name}-fewest.eia").write_bytes(eia.encode(search(shape).replace(" ", "0")))
 

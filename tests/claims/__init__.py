@@ -1,0 +1,1 @@
+"""The register of claims: register.py is its loader, claims.txt has it."""
