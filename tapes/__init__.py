@@ -18,6 +18,7 @@ picture     a tape as text and as SVG in true geometry
 photograph  photographs of tape become frames
 redundancy  what a tape says of its own frames
 notebook    a tape that a notebook draws
+title       letters punched for the eye
 measure     what can be said of a tape: its length, time, lines, checksum
 quantities  counts, times, lengths and addresses as they are said
 convert     from one code to another

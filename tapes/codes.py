@@ -9,7 +9,7 @@ To add a code, write its file beside eia.py, and name its object here.
 from typing import Final
 
 from tapes import ascii, eia, ita2, loaders
-from tapes.code import Characters, Code, nearly_all
+from tapes.code import PERHAPS, Characters, Code, nearly_all
 from tapes.frames import BLANK, label_before, leader_start, skip
 
 BIN: Final = loaders.BIN
@@ -40,11 +40,14 @@ def recognise(frames: bytes) -> Code:
         likelihood = code.likelihood(body)
         if likelihood > most:
             found, most = code, likelihood
-    if found is not UNKNOWN:
+    if most >= PERHAPS:
         return found
+    titled = [code for code in CODES if isinstance(code, Characters) and code.labels(frames)]
+    if titled or found is not UNKNOWN:
+        return titled[0] if titled else found
     if len(body) >= _FEW and nearly_all(body.translate(None, bytes([BLANK])), _SIX_LEVELS):
         return SIX_LEVEL
-    return next((code for code in CODES if isinstance(code, Characters) and code.labels(frames)), UNKNOWN)
+    return UNKNOWN
 
 
 def named(name: str) -> Code:

@@ -6,7 +6,7 @@ Computer Handbook, DEC).
 
 from collections.abc import Iterator
 
-from tapes import codes, controls, doubts, frames, redundancy
+from tapes import codes, controls, doubts, frames, redundancy, title
 from tapes.code import Characters, Code, Row
 from tapes.quantities import counted, duration
 
@@ -37,7 +37,9 @@ def report(tape: bytes) -> list[Row]:
 
 def _labels(tape: bytes, code: Code) -> Iterator[Row]:
     for label in code.labels(tape):
-        yield "title", f"{counted(len(label), 'frames')} from frame {label.start} on"
+        said = title.read(tape[label.start : label.stop])
+        called = f", {said!r}" if said else ""
+        yield "title", f"{counted(len(label), 'frames')} from frame {label.start} on{called}"
         for row in frames.draw_label(tape[label.start : label.stop]):
             yield "", row
 

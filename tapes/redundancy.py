@@ -14,7 +14,7 @@ from itertools import combinations
 
 from tapes import codes
 from tapes.code import Code
-from tapes.frames import BLANK
+from tapes.frames import BLANK, LEAST_LEADER
 from tapes.loaders import Words
 
 _MIRRORED = bytes(int(f"{frame:08b}"[::-1], 2) for frame in range(256))
@@ -123,4 +123,7 @@ def turned(frames: bytes) -> str:
 def _sense(frames: bytes) -> float:
     code = codes.recognise(frames)
     sense = code.sense(frames)
-    return 0.0 if isinstance(code, Words) and sense < len(frames) else sense
+    if isinstance(code, Words):
+        whole = LEAST_LEADER in frames and sense >= len(frames) and code.sums_up(frames) is not False
+        return sense if whole else 0.0
+    return sense

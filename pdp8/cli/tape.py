@@ -12,6 +12,7 @@ from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
 from tapes import codes, cutting, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy
 from tapes import convert as conversion
+from tapes import title as eye
 from tapes.code import Characters, Code
 from tapes.errors import TapeError, called, naming
 from tapes.loaders import Words
@@ -363,6 +364,7 @@ def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None
     show_default=True,
     help="Blank frames before and after.",
 )
+@click.option("--title", metavar="TEXT", default="", help="Punch a title for the eye before it.")
 @click.option(
     "--drop-spaces/--keep-spaces",
     default=None,
@@ -370,7 +372,15 @@ def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None
 )
 @_output
 def punch(
-    *, file: str, code: str, parity: str, fill: int, leader: int, drop_spaces: bool | None, output: str
+    *,
+    file: str,
+    code: str,
+    parity: str,
+    fill: int,
+    leader: int,
+    drop_spaces: bool | None,
+    title: str,
+    output: str,
 ) -> None:
     """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
 
@@ -380,6 +390,7 @@ def punch(
     \b
     Examples:
       pdp8 tape punch typed.txt > typed.asc
+      pdp8 tape punch eia.pal --title "EIA.PAL" --leader 50 -o titled.asc
       pdp8 tape punch eia.pal --parity even --leader 100 -o eia.asc  # for PAL III
       echo "001 0 00000 00000 0 35 88" | pdp8 tape punch --code eia -o drill.eia
     """
@@ -389,7 +400,8 @@ def punch(
         if drop_spaces is None:
             text = hydrapoint.typed(text) or text
         punched = _TYPED[code].encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
-    command.put(output, frames.blank(leader) + punched + frames.blank(leader))
+    letters = eye.punch(title) if title else b""
+    command.put(output, frames.blank(leader) + letters + punched + frames.blank(leader))
 
 
 def _order(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, ...]:

@@ -286,6 +286,7 @@ _VALUES: Final = {
     "--tape": "small.eia",
     "tape convert --code": "octal",
     "--mend": "1=043",
+    "tape punch --title": "AB",
     "--paper": "letter",
     "tape show --cut": "cut.out",
     "--without": "3,5-6",
