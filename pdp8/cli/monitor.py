@@ -4,19 +4,24 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import click
 
-from pdp8 import fitting, shelf
+from pdp8 import fitting
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
-from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
-from tapes.errors import WorkError, called
-from tapes.text import lines_of
+from pdp8.monitor.running import next_tape
+from pdp8.monitor.simh import do_file, take_off
+from tapes.errors import WorkError
+
+if TYPE_CHECKING:
+    from pdp8.cli.running.keyboard import Terminal
 
 
 @click.command(cls=Command)
@@ -49,38 +54,42 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
     if script is None and sys.stdin.isatty():
         if echo:
             raise click.UsageError("--echo means nothing without SCRIPT.")
+        click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
         converse(made)
     else:
-        _follow(made, script or "-", echo)
-
-
-def _follow(made: Monitor, script: str, echo: bool) -> None:
-    """Carry out a script; its first error ends it."""
-    text = shelf.read(script).decode("utf-8-sig", "replace")
-    for number, line in enumerate(lines_of(text), 1):
         if echo:
-            command.echo(f"* {line}")
-        try:
-            do(made, line)
-        except WorkError as error:
-            raise MonitorError(f"{called(script)}, line {number}: {error}") from error
-        if made.finished:
-            return
+            made.echo = lambda line: command.echo(f"* {line}")
+        do_file(made, script or "-")
+        take_off(made)
 
 
-def converse(made: Monitor) -> None:
-    """Answer at a terminal until quit or end of file; errors are said, Ctrl-C is the STOP key."""
-    click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
+def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
+    """Answer at a terminal until quit or end of file; errors are said. While the machine runs the terminal is
+    its Teletype, and Ctrl-] stops it; a run until a text is stopped by Ctrl-C.
+    """
+    from pdp8.cli.running.keyboard import Terminal
+
+    at = terminal or Terminal()
+
+    def live(seconds: float) -> Stop:
+        return at.run(made.machine, seconds, made.realtime, lambda: next_tape(made))[0]
+
+    if sys.stdout.isatty():
+        made.live, made.say = live, at.say
     for line in _typed():
         before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
         try:
-            do(made, line)
+            with at.printing(made.machine):
+                do(made, line)
         except WorkError as error:
+            at.end_line()
             command.tell(str(error))
         finally:
             signal.signal(signal.SIGINT, before)
+        at.end_line()
         if made.finished:
             return
+    take_off(made)
 
 
 def _typed() -> Iterator[str]:
@@ -94,7 +103,7 @@ def _typed() -> Iterator[str]:
     session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))
     while True:
         try:
-            yield session.prompt("* ")
+            yield session.prompt("pdp8> ")
         except KeyboardInterrupt:
             continue
         except EOFError:

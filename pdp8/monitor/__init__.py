@@ -7,6 +7,7 @@ hands        words, registers, switches and keys; breakpoints, steps, traces
 running      going on until something: a time, a text on the page, a value
 keystrokes   the Teletype's keys, as the program asks for them
 past         undoing what the machine has done
+simh         the words of SIMH's that are not the monitor's own
 tapes        programs, tapes, the Teletype's page, saved states
 
 Not here: the terminal with its history, and the script's file, are the command's (pdp8/cli/monitor).

@@ -33,7 +33,7 @@ def command(line: str) -> tuple[str, str]:
     comment, as at SIMH.
     """
     name, *_ = line.partition("#")[0].split() or ("",)
-    name = "" if name.startswith(";") else name
+    name = "" if name[:1] in (";", ":") else name
     return name, line.lstrip()[len(name) :]
 
 

@@ -6,20 +6,26 @@ from inspect import signature
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8.monitor import hands, keystrokes, past, running, tapes
+from pdp8.monitor import hands, keystrokes, past, running, simh, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
 
-_SHORT = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch"}
-"""Names that are the beginning of several and mean one."""
+_SHORT = {
+    "b": "boot", "c": "cont", "d": "deposit", "e": "examine", "ex": "examine", "g": "go", "h": "help",
+    "l": "load", "q": "quit", "r": "reset", "ru": "run", "s": "step", "sa": "save", "se": "set", "w": "watch",
+    "continue": "cont", "get": "restore", "nobreak": "forget", "bye": "quit",
+}  # fmt: skip
+"""Names that are the beginning of several and mean one, and SIMH's names for ours."""
+_RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
+"""What is printed before one of these is not expected any more."""
 _AT_SIMH = {
-    "attach": "reader TAPE puts a tape in, punch FILE takes one off",
-    "detach": "reader none takes the tape out, punch FILE takes one off",
+    "assign": "files have their own names",
+    "call": "do FILE carries out a script",
+    "dump": "punch 0-7577 FILE writes core as a BIN tape",
     "evaluate": "examine says a word of core with its instruction",
-    "get": "restore FILE",
-    "nobreak": "forget",
-    "reset": "go A starts from a reset",
-    "show": "registers, break, watch and examine say what is so",
+    "goto": "scripts here have no jumps: they end at their first error",
+    "if": "scripts here have no conditions: assert ends them",
+    "next": "step, or break at the return",
 }
 """What stands here for a command of SIMH's, which may be shortened to three letters."""
 
@@ -46,13 +52,14 @@ class Command(NamedTuple):
 def help_(monitor: Monitor, *names: str) -> None:
     """Say what the monitor knows, or one of its commands."""
     for each in [find(name) for name in names] or COMMANDS.values():
-        said = f"{each.name + ' ' + each.arguments:27} {each.action.__doc__}"
+        said = f"{each.name + ' ' + each.arguments:27} {' '.join((each.action.__doc__ or '').split())}"
         for line in wrap(said, 79, subsequent_indent=" " * 28):
             monitor.say(line)
 
 
 def quit_(monitor: Monitor) -> None:
     """Leave."""
+    simh.take_off(monitor)
     monitor.finished = True
 
 
@@ -86,7 +93,7 @@ COMMANDS = {
         Command("trace", "on|cycles|off", hands.trace, "on, cycles or off"),
         Command("count", "[on|off|listing]", hands.count, "on, off or listing, or nothing"),
         Command("reader", "TAPE ...|start|stop|none", tapes.reader, _TAPES),
-        Command("punch", "FILE|on|off", tapes.punch, "the name of a file, or on, or off"),
+        Command("punch", "FILE|on|off|A:B FILE", tapes.punch, "the name of a file, or on, or off"),
         Command("fast-reader", "TAPE", tapes.fast_reader, "the name of a tape"),
         Command("fast-punch", "FILE|on|off", tapes.fast_punch, "the name of a file, or on, or off"),
         Command("type", "TEXT", keystrokes.type_, words_of=as_it_stands),
@@ -94,6 +101,14 @@ COMMANDS = {
         Command("page", "[more]", tapes.page),
         Command("save", "FILE", tapes.save, "the name of a file"),
         Command("restore", "FILE", tapes.restore, "the name of a file"),
+        Command("attach", "ptr TAPE|ptp FILE", simh.attach, "ptr or ptp, and the name of a file"),
+        Command("detach", "ptr|ptp", simh.detach, "ptr or ptp"),
+        Command("send", "TEXT ...", simh.send),
+        Command("do", "FILE", simh.do_file, "the name of a file"),
+        Command("echo", "TEXT", simh.echo, words_of=as_it_stands),
+        Command("reset", "", simh.reset),
+        Command("show", "", simh.show),
+        Command("on", "", simh.passed_over),
         Command("help", "[COMMAND]", help_),
         Command("quit", "", quit_),
         Command("exit", "", quit_),
@@ -115,7 +130,7 @@ def find(word: str) -> Command:
         raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
     near = [name for name in COMMANDS if word.startswith(name)] or get_close_matches(word, COMMANDS, 1, 0.8)
     meant = f"did you mean {near[0]}?" if near else "help tells which there are"
-    at_simh = [ours for name, ours in _AT_SIMH.items() if len(word) > 2 and name.startswith(word)]
+    at_simh = [ours for name, ours in _AT_SIMH.items() if name[: max(len(word), 2)] == word]
     meant = f"it is SIMH's; here {at_simh[0]}" if at_simh else meant
     raise MonitorError(f"{word!r}: no such command; {meant}")
 
@@ -125,4 +140,6 @@ def do(monitor: Monitor, line: str) -> None:
     name, rest = command(line)
     if name:
         found = find(name)
+        if found.name in _RUNS:
+            monitor.expected = len(monitor.machine.teletype.printer.frames)
         found.action(monitor, *found.words(rest))

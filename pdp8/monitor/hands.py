@@ -5,10 +5,11 @@ from itertools import cycle as cycle_of
 
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
+from pdp8.computer.hardware.core import SIZE
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Watch
-from pdp8.monitor.arguments import MonitorError, octal, seconds
+from pdp8.monitor.arguments import MonitorError, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
 REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
@@ -17,23 +18,45 @@ SWITCHES = ("mem_prot", "sing_step")
 NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
+_LACKS = {
+    **dict.fromkeys(("mq", "sc", "gtf"), "this machine has no EAE, and no such register"),
+    **dict.fromkeys(("df", "if", "ib", "sf"), "this machine has 4K of core, and no such register"),
+}
+"""Registers of SIMH's PDP-8/E."""
 _WHOLE_CORE = ("0:7777",)
 
 
 def examine(monitor: Monitor, place: str, *more: str) -> None:
     """Say words of core, each with its line of the listing, or a register."""
-    for each in (place, *more):
-        if is_register(monitor, each):
-            monitor.say(f"{each.upper()} {getattr(monitor.machine, register(each)):04o}")
-            continue
-        for address in monitor.range(each):
-            monitor.say(monitor.listing.line(address, monitor.machine.core[address]))
+    for each in ",".join((place, *more)).split(","):
+        _examine(monitor, each)
+
+
+def _examine(monitor: Monitor, place: str) -> None:
+    core = monitor.machine.core
+    if is_register(monitor, place):
+        monitor.say(f"{place.upper()} {getattr(monitor.machine, register(place)):04o}")
+    elif place.lower() == "state":
+        registers(monitor)
+    elif place.lower() == "all":
+        for address in range(SIZE):
+            if core[address]:
+                monitor.say(monitor.listing.line(address, core[address]))
+        monitor.say("all other words are 0000")
+    elif lacks := _LACKS.get(place.lower()):
+        raise MonitorError(f"{place}: {lacks}")
+    else:
+        for address in monitor.range(place):
+            monitor.say(monitor.listing.line(address, core[address]))
 
 
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     """Put words into core from A on, or one word into all of A:B."""
     if is_register(monitor, place):
-        raise MonitorError(f"{place}: a register; `set {place} {word}` sets it")
+        set_(monitor, place, word, *more)
+        return
+    if lacks := _LACKS.get(place.lower()):
+        raise MonitorError(f"{place}: {lacks}")
     addresses, words = monitor.range(place), [octal(each) for each in (word, *more)]
     if len(addresses) > 1 and more:
         raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
@@ -45,9 +68,16 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         monitor.machine.core[address] = each
 
 
-def set_(monitor: Monitor, name: str, value: str) -> None:
-    """Set a register, a switch (0 or 1), or the seconds that a key of the panel takes (hands)."""
+def set_(monitor: Monitor, name: str, *values: str) -> None:
+    """Set a register, a switch (0 or 1), the seconds that a key of the panel takes (hands), or an option of
+    SIMH's.
+    """
+    from pdp8.monitor import simh
+
+    if simh.option(monitor, name, values):
+        return
     name = register(name)
+    (value,) = some(values, "a word", 1, 1)
     if name in REGISTERS:
         word = monitor.address(value)
         setattr(monitor.machine, name, octal(f"{word:o}", REGISTERS[name]))

@@ -26,7 +26,7 @@ _RETURN = b"\x8d"
 
 def type_(monitor: Monitor, text: str) -> None:
     """Press the keys of TEXT as it stands, and RETURN if it is asked for, each as the program asks for it."""
-    _press(monitor, _frames(text))
+    press(monitor, frames_of(text))
     if why := _refused(monitor):
         monitor.say(f"RETURN was not pressed: the program asks for no key: {why}")
     else:
@@ -37,14 +37,14 @@ def keyboard(monitor: Monitor, *arguments: str) -> None:
     """Press keys as `type` does, without RETURN: texts as for `expect`; or now, whatever the program does."""
     now = arguments[:1] == ("now",) and not isinstance(arguments[0], Quoted)
     words = some(arguments[1:] if now else arguments, "a text")
-    frames = _frames("".join(map(text_of, words)))
+    frames = frames_of("".join(map(text_of, words)))
     if now:
         monitor.machine.teletype.keyboard.press(frames)
     else:
-        _press(monitor, frames)
+        press(monitor, frames)
 
 
-def _frames(characters: str) -> bytes:
+def frames_of(characters: str) -> bytes:
     """Return what the keys send. Raises MonitorError where a Model 33 has no such key."""
     return b"".join(map(_frame, characters))
 
@@ -59,7 +59,7 @@ def _frame(character: str) -> bytes:
     return frame
 
 
-def _press(monitor: Monitor, frames: bytes) -> None:
+def press(monitor: Monitor, frames: bytes) -> None:
     """Press one key after another, each as it is asked for. Raises MonitorError when one is not."""
     for number, frame in enumerate(frames):
         why = _refused(monitor)

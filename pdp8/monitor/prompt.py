@@ -36,6 +36,18 @@ class Monitor:
         self.finished = False
         self.stopping = False
         """Set to end a run as the STOP key does."""
+        self.live: Callable[[float], Stop] | None = None
+        """Runs for so many seconds with a terminal as the Teletype, if there is one."""
+        self.realtime = False
+        """Whether that is at the pace of 1971."""
+        self.echo: Callable[[str], object] = lambda line: None
+        """Takes each line of a script that is read within another."""
+        self.depth = 0
+        """How many of them are being read."""
+        self.punching: dict[str, str] = {}
+        """The names of files that were attached for what is punched."""
+        self.to_send = bytearray()
+        """Keys that are pressed once the machine runs."""
         self.waiting_tapes: list[str] = []
         """The names of the tapes that go into the reader as it runs out."""
         self.attend(machine or Machine())
@@ -46,8 +58,10 @@ class Monitor:
         self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
-        self.expected = 0
-        """How many frames of the page `expect` has passed over."""
+        self.expected = self.matched = 0
+        """How many frames of the page `expect` passes over: those before the last command that let the
+        machine run; and those as far as what it found last.
+        """
         self.shown = 0
         """How many frames of it `page` has shown."""
 
@@ -99,7 +113,14 @@ class Monitor:
         return octal(name)
 
     def range(self, text: str) -> range:
-        """Return the addresses of A, of A:B, or of A-B where both are numbers."""
+        """Return the addresses of A, of A:B, of A-B where both are numbers, or of N words from A on, A/N."""
+        begin_at, counts, words = text.partition("/")
+        if counts:
+            begin = self.address(begin_at)
+            end = begin + octal(words, 0o10000)
+            if end > 0o10000:
+                raise MonitorError(f"{text}: goes beyond 7777")
+            return range(begin, end)
         first, found, last = text.partition("-" if _RANGE.fullmatch(text) else ":")
         begin = self.address(first)
         end = self.address(last) if found else begin

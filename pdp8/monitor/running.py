@@ -23,6 +23,9 @@ _SLICE = 0.5
 GLANCE = 0.05
 """Seconds between two looks at what the machine does."""
 _DEFAULT = 60.0
+_LAST_LINES = 3
+_LAST = 216
+"""Lines and characters of the page that are shown where a text was not printed."""
 _CODES = {"BEL": "\a", "CR": "\r", "LF": "\n", "FF": "\f", "RUBOUT": "\x7f"}
 
 
@@ -58,7 +61,10 @@ def cont(monitor: Monitor, *arguments: str) -> None:
 
 def run(monitor: Monitor, *arguments: str) -> None:
     """Go on without a key being pressed: for SECONDS, or until a text is printed."""
-    _pursue(monitor, _goal(arguments))
+    goal = _goal(arguments)
+    if not monitor.machine.panel.lamps.run and not goal.times:
+        raise MonitorError("the machine is stopped: go A starts it at an address, cont goes on")
+    _pursue(monitor, goal)
 
 
 def until(monitor: Monitor, *arguments: str) -> None:
@@ -67,7 +73,10 @@ def until(monitor: Monitor, *arguments: str) -> None:
 
 
 def expect(monitor: Monitor, *arguments: str) -> None:
-    """Go on until the page shows TEXT, or fail after SECONDS (60)."""
+    """Go on until the page shows TEXT after the last command, or with --from-start after the last expect."""
+    if arguments[-1:] == ("--from-start",):
+        monitor.expected = monitor.matched
+        arguments = arguments[:-1]
     text, *rest = some(some(arguments, "a text"), "a text and seconds", 1, 2)
     _wait_for(monitor, Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), 1))
 
@@ -110,10 +119,27 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
     """Run as far as `goal` says; say how a run ended that no text was to end."""
     if goal.times:
         monitor.expected = len(monitor.machine.teletype.printer.frames)
+        _send(monitor)
         _wait_for(monitor, goal)
+        times = f" {counted(goal.times, 'times')}" if goal.times > 1 else ""
+        monitor.say(f"{_named(goal.text)}{times}; {monitor.machine.elapsed:,.2f} s")
         return
-    *_, stop = slices(monitor, goal.seconds)
+    _send(monitor)
+    if monitor.live is not None:
+        stop = monitor.live(goal.seconds)
+    else:
+        *_, stop = slices(monitor, goal.seconds)
     monitor.say_stop(stop)
+
+
+def _send(monitor: Monitor) -> None:
+    """Press the keys that were to be sent once the machine runs."""
+    if monitor.to_send:
+        from pdp8.monitor.keystrokes import press
+
+        frames = bytes(monitor.to_send)
+        monitor.to_send.clear()
+        press(monitor, frames)
 
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:
@@ -135,14 +161,20 @@ def _passed(monitor: Monitor, text: str, most: int) -> int:
     page = bytes(frame & 0o177 for frame in monitor.machine.teletype.printer.frames[monitor.expected :])
     *passed, rest = page.split(bytes(ord(character) & 0o177 for character in text), most)
     monitor.expected += len(page) - len(rest)
+    if passed:
+        monitor.matched = monitor.expected
     return len(passed)
 
 
 def _failure(monitor: Monitor, goal: Goal, left: int, why: str) -> str:
-    shown = printed(bytes(monitor.machine.teletype.printer.frames[monitor.expected :])).decode()
+    page = printed(bytes(monitor.machine.teletype.printer.frames)).decode().replace("\r", "").strip("\n")
+    shown = "\n".join(page.split("\n")[-_LAST_LINES:])[-_LAST:]
     of = f" {counted(goal.times - left, 'times')} of {goal.times}" if goal.times > 1 else ""
-    text = "BEL" if goal.text == "\a" else repr(str(goal.text))
-    return f"{text} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
+    return f"{_named(goal.text)} was {'' if of else 'not '}printed{of}: {why}; the page shows {shown!r}"
+
+
+def _named(text: str) -> str:
+    return next((name for name, code in _CODES.items() if code == text), repr(str(text)))
 
 
 def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
@@ -154,17 +186,24 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
     monitor.stopping = False
     while True:
         for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, GLANCE, longest):
-            if stop.reason is Reason.TAPE_OUT and monitor.waiting_tapes:
-                name = monitor.waiting_tapes[0]
-                monitor.operator.mount(name, shelf.read(name))
-                del monitor.waiting_tapes[0]
-                monitor.say(f"{name} goes into the reader")
+            if stop.reason is Reason.TAPE_OUT and next_tape(monitor):
                 break
             yield stop
             if monitor.stopping:
                 machine.stop()
         else:
             return
+
+
+def next_tape(monitor: Monitor) -> bool:
+    """Put the next tape into the reader that has run out; return whether there is one."""
+    if not monitor.waiting_tapes:
+        return False
+    name = monitor.waiting_tapes[0]
+    monitor.operator.mount(name, shelf.read(name))
+    del monitor.waiting_tapes[0]
+    monitor.say(f"{name} goes into the reader")
+    return True
 
 
 def wait(monitor: Monitor, time: str) -> None:

@@ -6,9 +6,9 @@ from pdp8 import shelf
 from pdp8.computer.hardware.teletype import Punch, printed
 from pdp8.computer.past import state
 from pdp8.computer.use import operator, program
-from pdp8.monitor.arguments import MonitorError
+from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.prompt import Monitor
-from tapes import codes
+from tapes import binary, codes
 from tapes import rim as rim_format
 from tapes.errors import naming
 from tapes.frames import has_leader
@@ -27,7 +27,15 @@ def load(monitor: Monitor, name: str, *force: str) -> None:
 
 
 def boot(monitor: Monitor, name: str, *force: str) -> None:
-    """Load a program from cold as an operator does; with force, whatever its checksum."""
+    """Load a program from cold as an operator does; with force, whatever its checksum. `boot ptr` reads what
+    is in the reader by RIM.
+    """
+    if name.lower() in ("ptr", "tti"):
+        from pdp8.monitor.running import go
+
+        rim(monitor)
+        go(monitor, f"{operator.RIM_START:o}")
+        return
     forced = _forced(force)
     found = program.read(_read(monitor, name), name, True, monitor.dialect)
     loader = rim_format.encode(shelf.bundled_program("bin.pal").words)
@@ -105,8 +113,17 @@ def _need_highspeed(monitor: Monitor) -> None:
         raise MonitorError("no high-speed reader and punch are fitted: pdp8 monitor --highspeed fits them")
 
 
-def punch(monitor: Monitor, what: str) -> None:
-    """Take the tape off the Teletype's punch into a file; or switch it on or off."""
+def punch(monitor: Monitor, what: str, *name: str) -> None:
+    """Take the tape off the Teletype's punch into a file; or switch it on or off; or write words of core as a
+    BIN tape: `punch 0-7577 FILE`.
+    """
+    if name and what not in ("on", "off"):
+        core = {address: monitor.machine.core[address] for address in monitor.range(what)}
+        (file,) = some(name, "the name of a file", 1, 1)
+        wrote = shelf.leave(file, binary.encode(core), "tape")
+        monitor.say(f"{wrote}: {counted(len(core), 'words')} in BIN format")
+        return
+    some(name, "a file, on or off", 0, 0)
     _take_off(monitor, monitor.machine.teletype.punch, what)
 
 

@@ -1,13 +1,15 @@
 """A terminal as the Teletype: what is typed is its keyboard (see computer/use/keys), what it prints the page.
 
-A Model 33 prints nothing by itself. Ctrl-] leaves to the monitor, with the machine as it stands. A key
+A Model 33 prints nothing by itself. Ctrl-], or Ctrl-E, is STOP and leaves to the monitor, whose `cont` comes
+back. A key
 that a Model 33 lacks (an arrow, F1) types nothing. However the program ends, the terminal (prompt_toolkit's
 on every system) is put back as it was.
 """
 
 import sys
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 
 import click
 from prompt_toolkit.input import Input, create_input
@@ -17,41 +19,94 @@ from pdp8.cli.running import pacing
 from pdp8.cli.shared import command
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
-from pdp8.computer.stop import Stop
+from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.keys import sent
 from pdp8.computer.use.trace import Listing
 
-ESCAPE = "\x1d"
+ESCAPES = "\x1d\x05"
+"""Ctrl-] and, as at SIMH, Ctrl-E."""
 _LOOK = 0.01  # seconds between two looks at the keys
+
+
+class Terminal:
+    """A terminal as the Teletype of whatever machine is run, with what is said of it between the lines.
+
+    `pass_on` is called after each slice of a run.
+    """
+
+    def __init__(self, pass_on: Callable[[], object] = lambda: None) -> None:
+        self._pass_on = pass_on
+        self._page = _Page()
+
+    def run(
+        self,
+        machine: Machine,
+        max_time: float | None = None,
+        realtime: bool = False,
+        next_tape: Callable[[], object] = lambda: None,
+    ) -> tuple[Stop, bool]:
+        """Run until the machine stops or Ctrl-] is typed, which is STOP; return how the run ended, and
+        whether by that. `next_tape` is called where the reader has run out.
+        """
+        keys = create_input()
+
+        def take(seconds: float) -> bytes | None:
+            if machine.teletype.reader.empty():
+                next_tape()
+            text = typed(keys, seconds)
+            before = min((text.find(escape) for escape in ESCAPES if escape in text), default=-1)
+            if before >= 0:
+                machine.teletype.keyboard.press(sent(text[:before]))
+            return None if before >= 0 or keys.closed else sent(text)
+
+        with self.printing(machine), keys.raw_mode():
+            stop = pacing.live(machine, max_time, self._pass_on, take, realtime)
+        if stop is not None:
+            return stop, False
+        machine.stop()
+        return Stop(Reason.STOP_KEY, machine.pc, machine.elapsed), True
+
+    @contextmanager
+    def printing(self, machine: Machine) -> Iterator[None]:
+        """Print what the machine prints."""
+        before, machine.teletype.printer.on_frame = machine.teletype.printer.on_frame, self._page.print
+        try:
+            yield
+        finally:
+            machine.teletype.printer.on_frame = before
+
+    def say(self, line: str) -> None:
+        """Say a line, below what is printed."""
+        self.end_line()
+        command.echo(line)
+
+    def end_line(self) -> None:
+        """Go to the beginning of a line."""
+        if self._page.column:
+            command.echo("")
+        self._page.column = 0
 
 
 def sit_down(
     machine: Machine, listing: Listing, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
 ) -> Stop | None:
-    """Run with the terminal as the Teletype until the machine stops or Ctrl-] is typed.
-
-    `pass_on` is called after each slice of the run. Returns how the run ended, or None after the monitor.
+    """Run with the terminal as the Teletype until the machine stops, then return how; after Ctrl-] be its
+    monitor, then return None.
     """
-    keys = create_input()
+    from pdp8.cli.monitor import converse
+    from pdp8.monitor.prompt import Monitor
 
-    def take(seconds: float) -> bytes | None:
-        text = typed(keys, seconds)
-        return None if ESCAPE in text or keys.closed else sent(text)
-
-    machine.teletype.printer.on_frame = _Page().print
-    try:
-        with keys.raw_mode():
-            click.echo("Teletype on line; Ctrl-] leaves to the monitor.\r", err=True)
-            stop = pacing.live(machine, max_time, pass_on, take, realtime)
-    finally:
-        machine.teletype.printer.on_frame = None
-        command.tell("")
-    if stop is None:
-        from pdp8.cli.monitor import converse
-        from pdp8.monitor.prompt import Monitor
-
-        converse(Monitor(command.echo, machine, listing))
-    return stop
+    terminal = Terminal(pass_on)
+    click.echo("Teletype on line; Ctrl-] stops, and leaves to the monitor.", err=True)
+    stop, left = terminal.run(machine, max_time, realtime)
+    terminal.end_line()
+    if not left:
+        return stop
+    made = Monitor(terminal.say, machine, listing)
+    made.realtime = realtime
+    made.say_stop(stop)
+    converse(made, terminal)
+    return None
 
 
 def typed(keys: Input, seconds: float) -> str:
@@ -75,16 +130,16 @@ class _Page:
     """The terminal as the page: a line feed goes straight down, as on a Model 33."""
 
     def __init__(self) -> None:
-        self._column = 0
+        self.column = 0
 
     def print(self, frame: int) -> None:
         """Print a frame as a Model 33 does."""
         character = printed(bytes([frame])).decode()
         if character == "\r":
-            self._column = 0
+            self.column = 0
         elif character >= " ":
-            self._column += 1
-        elif character == "\n" and self._column:  # a terminal may return the carriage too
-            character = f"\n\x1b[{self._column + 1}G"
+            self.column += 1
+        elif character == "\n" and self.column:  # a terminal may return the carriage too
+            character = f"\n\x1b[{self.column + 1}G"
         sys.stdout.write(character)
         sys.stdout.flush()

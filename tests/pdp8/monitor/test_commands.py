@@ -38,7 +38,18 @@ def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -
 
 
 def test_a_command_may_be_shortened() -> None:
-    names = {"b": "break", "e": "examine", "ex": "examine", "l": "load", "w": "watch", "SE": "set"}
+    names = {
+        "b": "boot",
+        "s": "step",
+        "c": "cont",
+        "d": "deposit",
+        "g": "go",
+        "e": "examine",
+        "ex": "examine",
+        "l": "load",
+        "w": "watch",
+        "SE": "set",
+    }
     assert {word: find(word).name for word in names} == names
 
 
