@@ -11,9 +11,7 @@ import pytest
 
 pytestmark = pytest.mark.slow("a person at a pty, who looks before typing")
 
-if sys.platform == "win32":
-    pytest.skip("a pty is of POSIX", allow_module_level=True)
-import pty
+pty = pytest.importorskip("pty", reason="a pty is of POSIX")
 
 _MOST = 60.0
 _STYLE = re.compile(rb"\x1b\[[0-9;?]*[A-Za-z]|\x1b[=>]")
