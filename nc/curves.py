@@ -2,32 +2,38 @@
 
     station ── a point of the curve, with the normal there (outward, or left of the direction of travel)
 
-The curves are those of the thesis: circle, ellipse, straight line, and a function of x. `fitted` finds the
-line, circle or ellipse that a path follows, by least squares; a function must be named.
+The curves are those of `tapes.nominal`. Where one is the surface of a part, the cutter's centre is `beside`
+it, + outside or above, and only the wall on the part's side is the part's.
 
 Lengths are thousandths of an inch, angles degrees counterclockwise from +X.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from math import cos, pi, radians, sin
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.expression import function
+from tapes.nominal import Nominal
 
 Floats = NDArray[np.float64]
 
 _STEP = 1e-6
 """Inches to each side of a point at which a slope is measured."""
-
-_FINE = 7_200
-_ROUND = 5
-"""What a nominal is a multiple of, in thousandths, if nothing speaks against it."""
+_PLACES = 7200
+"""Of a profile that is a function of the angle."""
+_FAN = radians(0.25)
+"""Between two normals at a corner."""
+_CORNER = radians(3)
+"""A turn that matters for the distance of a wall."""
 _GUESSED = ", guessed from the path"
+_ROUND = 5
+"""What a guess is a multiple of, in thousandths, if nothing speaks against it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,34 +52,59 @@ class Stations:
         """The direction of each normal in degrees, 0 up to 360."""
         return np.degrees(np.arctan2(self.normals[:, 1], self.normals[:, 0])) % 360
 
-    @property
-    def bend(self) -> Floats:
-        """The curve's bend, (n,): 1 over its radius, + where the centre lies against the normal."""
-        ways = np.gradient(self.points, axis=0)
-        return np.asarray((np.gradient(self.normals, axis=0) * ways).sum(axis=1) / (ways * ways).sum(axis=1))
-
     def part(self, chosen: slice | NDArray[np.intp]) -> "Stations":
         """Return some of the stations."""
         return Stations(self.points[chosen], self.normals[chosen], self.along[chosen])
 
 
 class Curve(ABC):
-    """A curve that can be sampled; `closed`: its end is its start, and `guessed`: nobody named it."""
+    """A curve that can be sampled; `closed`: its end is its start, `guessed`: found from the path. If it is a
+    surface, the cutter's centre goes `beside` it, else `beside` is 0.
+    """
 
     closed: ClassVar[bool] = False
     guessed: bool = False
+    beside: float = 0.0
 
-    @abstractmethod
+    @property
+    def part_wall(self) -> str:
+        """The wall that belongs to the part, "inner" or "outer"; "" if the curve is no surface."""
+        return "" if not self.beside else "inner" if self.beside > 0 else "outer"
+
+    @property
+    def tips(self) -> Floats:
+        """The corners of it, (n, 2)."""
+        return np.empty((0, 2))
+
     def stations(self, count: int) -> Stations:
-        """Return `count` stations, evenly spread over the parameter: the eccentric angle from +X, or x."""
+        """Return `count` stations of the centre's path, evenly spread over the curve's parameter."""
+        surface, normals = self.surface(np.linspace(0, 1, count, endpoint=not self.closed))
+        points = surface + self.beside * normals
+        return Stations(points, normals, _along(points))
 
     @abstractmethod
-    def deviations(self, points: Floats) -> Floats:
-        """Return how far outside (left of) the curve each of the points (n, 2) lies, to first order."""
+    def surface(self, part: Floats) -> tuple[Floats, Floats]:
+        """Return the points of the curve and the normals there, (n, 2), where its parameter has gone this
+        `part`, (n,), 0 to 1, of its way.
+        """
 
     def limit(self, stations: Stations, tolerance: float) -> Floats:
         """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
         return stations.points + tolerance * stations.normals
+
+    @abstractmethod
+    def said(self, unit: Unit) -> str:
+        """Return what the curve is and where, in words."""
+
+    def __str__(self) -> str:
+        return self.said(INCH)
+
+    def _kind(self, name: str) -> str:
+        """Return the name of the curve, and which side of it the cutter is on if it is a surface."""
+        if not self.beside:
+            return name
+        sides = ("outside", "inside") if self.closed else ("above", "below")
+        return f"{name}, the cutter {sides[self.beside < 0]}"
 
 
 @dataclass(frozen=True)
@@ -86,6 +117,7 @@ class Ellipse(Curve):
     y: float
     a: float
     b: float
+    beside: float = 0
     guessed: bool = field(default=False, compare=False, kw_only=True)
 
     def __post_init__(self) -> None:
@@ -95,14 +127,12 @@ class Ellipse(Curve):
                 f"semi-axes {self.a / 1000:g} and {self.b / 1000:g} in: each must be greater than 0"
             )
 
-    def stations(self, count: int) -> Stations:
-        """Return `count` stations counterclockwise from +X, evenly spread over the eccentric angle."""
-        turn = np.linspace(0, 2 * np.pi, count, endpoint=False)
-        cos, sin = np.cos(turn), np.sin(turn)
+    def surface(self, part: Floats) -> tuple[Floats, Floats]:
+        """Return points and normals counterclockwise from +X; the parameter is the eccentric angle."""
+        cos, sin = np.cos(2 * np.pi * part), np.sin(2 * np.pi * part)
         points = np.column_stack([self.x + self.a * cos, self.y + self.b * sin])
         normals = np.column_stack([self.b * cos, self.a * sin])
-        normals /= np.hypot(normals[:, 0], normals[:, 1])[:, None]
-        return Stations(points, normals, _along(points))
+        return points, normals / np.hypot(normals[:, 0], normals[:, 1])[:, None]
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance outside the ellipse: exact for a circle, else to first order near the curve."""
@@ -114,12 +144,12 @@ class Ellipse(Curve):
         inmost = np.full(len(points), -float(min(self.a, self.b)))
         return np.asarray(np.divide(value - 1, slope, out=inmost, where=slope > 0))
 
-    def __str__(self) -> str:
-        centre = f"centre X {self.x / 1000:.3f} Y {self.y / 1000:.3f}"
-        if self.a == self.b:
-            return f"circle, {centre}, radius {self.a / 1000:.3f} in{_GUESSED * self.guessed}"
-        axes = f"semi-axes {self.a / 1000:.3f} and {self.b / 1000:.3f} in"
-        return f"ellipse, {centre}, {axes}{_GUESSED * self.guessed}"
+    def said(self, unit: Unit) -> str:
+        """Return its centre and radius or semi-axes."""
+        a, b = unit.said(self.a), unit.said(self.b)
+        kind, size = ("circle", f"radius {a}") if self.a == self.b else ("ellipse", f"semi-axes {a} and {b}")
+        place = f"centre {_place(unit, self.x, self.y)}"
+        return f"{self._kind(kind)}, {place}, {size} {unit.name}{_GUESSED * self.guessed}"
 
 
 @dataclass(frozen=True)
@@ -137,12 +167,10 @@ class StraightLine(Curve):
         if (self.x1, self.y1) == (self.x2, self.y2):
             raise WorkError(f"{self}: it needs two different ends")
 
-    def stations(self, count: int) -> Stations:
-        """Return `count` stations from end to end."""
+    def surface(self, part: Floats) -> tuple[Floats, Floats]:
+        """Return points from end to end, and the normal to the left."""
         start, direction = np.array([self.x1, self.y1]), self._direction()
-        points = start + np.linspace(0, 1, count)[:, None] * direction
-        normals = np.tile(self._normal(), (count, 1))
-        return Stations(points, normals, _along(points))
+        return start + part[:, None] * direction, np.tile(self._normal(), (len(part), 1))
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance to the left of the line, seen along it."""
@@ -156,17 +184,15 @@ class StraightLine(Curve):
         direction = self._direction()
         return np.asarray([-direction[1], direction[0]] / np.hypot(direction[0], direction[1]))
 
-    def __str__(self) -> str:
-        ends = (f"X {x / 1000:.3f} Y {y / 1000:.3f}" for x, y in ((self.x1, self.y1), (self.x2, self.y2)))
+    def said(self, unit: Unit) -> str:
+        """Return its ends."""
+        ends = _place(unit, self.x1, self.y1), _place(unit, self.x2, self.y2)
         return f"line from {' to '.join(ends)}{_GUESSED * self.guessed}"
 
 
 @dataclass(frozen=True)
 class Graph(Curve):
-    """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths.
-
-    If f is the surface of a part, `beside` is how far above it (-: below) the cutter's centre goes.
-    """
+    """y = f(x), x from `first` to `last`, inches; its origin is at `x`, `y` of the table, thousandths."""
 
     x: float
     y: float
@@ -181,79 +207,108 @@ class Graph(Curve):
             raise WorkError(f"range from {self.first:g} to {self.last:g}: must go from less to more")
         function(self.expression)
 
-    def stations(self, count: int) -> Stations:
-        """Return `count` stations in equal steps of x. Raises WorkError where the function has no value."""
-        x = np.linspace(self.first, self.last, count)
+    def surface(self, part: Floats) -> tuple[Floats, Floats]:
+        """Return points in steps of x, and the normals upward. Raises WorkError where f has no value."""
+        x = self.first + part * (self.last - self.first)
         points = np.column_stack([self.x + 1000 * x, self.y + 1000 * self._height(x)])
-        slope = self._slope(x)
-        normals = np.column_stack([-slope, np.ones(count)]) / np.hypot(slope, 1)[:, None]
-        points += self.beside * normals
-        return Stations(points, normals, _along(points))
+        left, right = np.maximum(x - _STEP, self.first), np.minimum(x + _STEP, self.last)
+        slope = (self._height(right) - self._height(left)) / (right - left)
+        return points, np.column_stack([-slope, np.ones(len(x))]) / np.hypot(slope, 1)[:, None]
 
     def limit(self, stations: Stations, tolerance: float) -> Floats:
         """Return the points at a distance of `tolerance` along Y (thesis, Chapter 6)."""
         return np.asarray(stations.points + np.array([0.0, tolerance]))
 
-    def deviations(self, points: Floats) -> Floats:
-        """Return the distance above the curve, to first order near it; beyond its ends, above the tangent."""
-        if self.beside:
-            near = self.stations(_FINE)
-            at = [np.hypot(*(near.points - point).T).argmin() for point in points]
-            return np.asarray(((points - near.points[at]) * near.normals[at]).sum(axis=1))
-        x = (points[:, 0] - self.x) / 1000
-        nearest = np.clip(x, self.first, self.last)
-        slope = self._slope(nearest)
-        above = points[:, 1] - self.y - 1000 * (self._height(nearest) + slope * (x - nearest))
-        return np.asarray(above / np.hypot(slope, 1))
-
     def _height(self, x: Floats) -> Floats:
         value = function(self.expression)
         return np.array([value(place) for place in x])
 
-    def _slope(self, x: Floats) -> Floats:
-        left, right = np.maximum(x - _STEP, self.first), np.minimum(x + _STEP, self.last)
-        return np.asarray((self._height(right) - self._height(left)) / (right - left))
-
-    def __str__(self) -> str:
-        surface = f", the surface {'below' if self.beside > 0 else 'above'} the cutter" if self.beside else ""
+    def said(self, unit: Unit) -> str:
+        """Return its expression, which is in inches, and its origin."""
+        inches = ", in inches" if unit is not INCH else ""
         return (
-            f"curve y = {self.expression}, x from {self.first:g} to {self.last:g}, "
-            f"origin X {self.x / 1000:.3f} Y {self.y / 1000:.3f}{surface}"
+            f"{self._kind('curve')} y = {self.expression}{inches}, x from {self.first:g} to {self.last:g}, "
+            f"origin {_place(unit, self.x, self.y)}"
         )
 
 
-def nominal(
-    *,
-    circle: Sequence[float] | None = None,
-    ellipse: Sequence[float] | None = None,
-    line: Sequence[float] | None = None,
-    function: str | None = None,
-    origin: Sequence[float] = (0, 0),
-    range_: Sequence[float] | None = None,
-    beside: float = 0,
-) -> Curve | None:
-    """Return the one curve that is named, lengths in inches; None if none is.
+@dataclass(frozen=True, eq=False)
+class Outline(Curve):
+    """A closed line through `corners`, (n, 2), counterclockwise, about `x`, `y`; `what` it is, in words."""
 
-    `circle` is X, Y, radius; `ellipse` X, Y and the semi-axes; `line` X and Y of both ends; `function`
-    an expression in x, with its `origin` and `range_`; if it is a surface, `beside` is the cutter's radius, -
-    below it. Raises WorkError for two curves, or one that does not exist.
+    closed = True
+
+    x: float
+    y: float
+    corners: Floats
+    what: str
+    beside: float = 0
+
+    def surface(self, part: Floats) -> tuple[Floats, Floats]:
+        """Return points in equal steps along the line; where a cutter goes round a corner, more of them, with
+        normals that turn from one side to the next.
+        """
+        sides = np.roll(self.corners, -1, axis=0) - self.corners
+        length = np.hypot(sides[:, 0], sides[:, 1])
+        normals = np.column_stack([sides[:, 1], -sides[:, 0]]) / length[:, None]
+        ends = np.concatenate([[0.0], np.cumsum(length)])
+        along = part * ends[-1]
+        side = np.minimum(np.searchsorted(ends, along, side="right") - 1, len(sides) - 1)
+        points = self.corners[side] + ((along - ends[side]) / length[side])[:, None] * sides[side]
+        angles = np.arctan2(normals[:, 1], normals[:, 0])
+        turns = (angles - np.roll(angles, 1) + np.pi) % (2 * np.pi) - np.pi
+        steps = np.where(turns * self.beside >= 0, np.ceil(np.abs(turns) / _FAN), 0).astype(np.intp)
+        at = np.repeat(np.arange(len(steps)), np.maximum(steps - 1, 0))
+        step = np.arange(len(at)) - np.searchsorted(at, at) + 1
+        back = turns[at] * (1 - step / steps[at])
+        fan = np.column_stack([np.cos(angles[at] - back), np.sin(angles[at] - back)])
+        order = np.argsort(np.concatenate([along, ends[at]]), kind="stable")
+        return (
+            np.concatenate([points, self.corners[at]])[order],
+            np.concatenate([normals[side], fan])[order],
+        )
+
+    @property
+    def tips(self) -> Floats:
+        """The points where it turns by more than the points of a curve do."""
+        sides = np.roll(self.corners, -1, axis=0) - self.corners
+        ways = np.arctan2(sides[:, 1], sides[:, 0])
+        turns = (ways - np.roll(ways, 1) + np.pi) % (2 * np.pi) - np.pi
+        return self.corners[np.abs(turns) > _CORNER]
+
+    def said(self, unit: Unit) -> str:
+        """Return what it is, and its centre."""
+        return f"{self._kind(self.what)}, centre {_place(unit, self.x, self.y)}"
+
+
+def _place(unit: Unit, x: float, y: float) -> str:
+    return f"X {unit.said(x)} Y {unit.said(y)}"
+
+
+def curve(nominal: Nominal, cutter: float) -> Curve:
+    """Return the curve, for a cutter of this diameter in thousandths. Raises WorkError for a curve that does
+    not exist.
     """
-    named = [curve for curve in (circle, ellipse, line, function) if curve is not None]
-    if len(named) > 1:
-        raise WorkError(f"{len(named)} curves are named; at most one is allowed")
-    if circle:
-        x, y, radius = _thousandths(circle)
-        return Ellipse(x, y, radius, radius)
-    if ellipse:
-        return Ellipse(*_thousandths(ellipse))
-    if line:
-        return StraightLine(*_thousandths(line))
-    if function is not None:
-        if range_ is None:
-            raise WorkError(f"function {function}: its range of x is needed")
-        x, y = _thousandths(origin)
-        return Graph(x, y, function, range_[0], range_[1], beside * 1000)
-    return None
+    beside = {"": 0.0, "above": 0.5, "outside": 0.5, "below": -0.5, "inside": -0.5}[nominal.side] * cutter
+    thousandths = [round(number * 1000, 6) for number in nominal.numbers]
+    x, y = thousandths[:2]
+    if nominal.kind == "line":
+        return StraightLine(x, y, thousandths[2], thousandths[3])
+    if nominal.kind == "circle":
+        return Ellipse(x, y, thousandths[2], thousandths[2], beside)
+    if nominal.kind == "ellipse":
+        return Ellipse(x, y, thousandths[2], thousandths[3], beside)
+    if nominal.kind == "function":
+        return Graph(x, y, nominal.expression, nominal.numbers[2], nominal.numbers[3], beside)
+    if nominal.expression:
+        radius = function(nominal.expression)
+        angles = [2 * pi * place / _PLACES for place in range(_PLACES)]
+        places = [(radius(angle) * cos(angle), radius(angle) * sin(angle)) for angle in angles]
+        what = f"profile r = {nominal.expression}"
+    else:
+        places = list(nominal.points)
+        what = f"outline of {len(places)} points"
+    return Outline(x, y, np.array([x, y]) + 1000 * np.array(places), what, beside)
 
 
 def fitted(points: Floats, within: float, band: float = 0) -> Ellipse | StraightLine | None:
@@ -295,10 +350,6 @@ def _fitted_ellipse(points: Floats, unit: int) -> Ellipse | None:
     x, y, a, b = (unit * np.rint(np.concatenate([place, axes]) / unit)).tolist()
     width, height = np.ptp(points, axis=0)
     return Ellipse(x, y, a, b) if 0 < a < 1.1 * width and 0 < b < 1.1 * height else None
-
-
-def _thousandths(inches: Sequence[float]) -> tuple[float, ...]:
-    return tuple(round(length * 1000, 6) for length in inches)
 
 
 def _along(points: Floats) -> Floats:

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from math import ceil, floor, log10
 from xml.etree import ElementTree as ET
 
+from nc.unit import INCH, Unit
+
 INK, FAINT, GRID = "#1b1b1b", "#8a8a8a", "#e4e4e4"
 _FONT = "Helvetica, Arial, sans-serif"
 _APART = 45
@@ -114,13 +116,20 @@ class Sheet:
         for shown in (halo, attributes):
             self.draw("text", parent, x=x, y=y, **shown).text = words
 
-    def view(self, x: float, y: float, window: Window, scale: float, upright: float | None = None) -> "View":
-        """Place a window on the part at (x, y), `scale` inches of paper to an inch, with its inch scales.
-
-        `upright` is the scale of Y where it is another.
+    def view(
+        self,
+        x: float,
+        y: float,
+        window: Window,
+        scale: float,
+        upright: float | None = None,
+        unit: Unit = INCH,
+    ) -> "View":
+        """Place a window on the part at (x, y), `scale` inches of paper to an inch of X, `upright` of Y, with
+        scales in `unit`.
         """
         self._views += 1
-        return View(self, x, y, window, (scale, upright or scale), f"view{self._views}")
+        return View(self, x, y, window, (scale, upright or scale), unit, f"view{self._views}")
 
     def svg(self) -> str:
         """Return the sheet as an SVG document."""
@@ -128,10 +137,17 @@ class Sheet:
 
 
 class View:
-    """A window on the part; its scales are inches, its contents clipped."""
+    """A window on the part, with scales along two sides, its contents clipped."""
 
     def __init__(
-        self, sheet: Sheet, x: float, y: float, window: Window, scale: tuple[float, float], name: str
+        self,
+        sheet: Sheet,
+        x: float,
+        y: float,
+        window: Window,
+        scale: tuple[float, float],
+        unit: Unit,
+        name: str,
     ) -> None:
         self.sheet, self.window, self.scale = sheet, window, scale
         self.x, self.y = x, y
@@ -139,7 +155,7 @@ class View:
         self.width, self.height = window.width * self.unit, window.height * self.rise
         clip = sheet.draw("clipPath", id=name)
         sheet.draw("rect", clip, x=x, y=y, width=self.width, height=self.height)
-        self._scales()
+        self._scales(unit)
         self._body = sheet.draw("g", clip_path=f"url(#{name})")
         sheet.draw("rect", x=x, y=y, width=self.width, height=self.height, fill="none", stroke=INK)
 
@@ -167,30 +183,33 @@ class View:
         px, py = self.at(x, y)
         self.sheet.label(px + dx, py + dy, words, self._body, **attributes)
 
-    def _scales(self) -> None:
-        step, places = _tick(self.scale[0])
+    def _scales(self, unit: Unit) -> None:
+        step, places = _tick(self.scale[0], unit)
         for value in _multiples(self.window.left, self.window.right, step):
             x, _ = self.at(value, value)
             bottom = self.y + self.height
             self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
             self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
-            self.sheet.text(x, bottom + 17, f"{value / 1000:.{places}f}", text_anchor="middle")
-        step, places = _tick(self.scale[1])
+            self.sheet.text(x, bottom + 17, f"{unit.of(value):.{places}f}", text_anchor="middle")
+        step, places = _tick(self.scale[1], unit)
         for value in _multiples(self.window.bottom, self.window.top, step):
             _, y = self.at(value, value)
             self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
             self.sheet.draw("line", x1=self.x - 5, y1=y, x2=self.x, y2=y, stroke=INK)
-            self.sheet.text(self.x - 8, y + 4, f"{value / 1000:.{places}f}", text_anchor="end")
-        self.sheet.text(self.x + self.width / 2, self.y + self.height + 33, "X, inches", text_anchor="middle")
+            self.sheet.text(self.x - 8, y + 4, f"{unit.of(value):.{places}f}", text_anchor="end")
+        name = "inches" if unit is INCH else unit.name
+        below = self.y + self.height + 33
+        self.sheet.text(self.x + self.width / 2, below, f"X, {name}", text_anchor="middle")
         x, y = self.x - 42, self.y + self.height / 2
         turned = f"rotate(-90 {number(x)} {number(y)})"
-        self.sheet.text(x, y, "Y, inches", text_anchor="middle", transform=turned)
+        self.sheet.text(x, y, f"Y, {name}", text_anchor="middle", transform=turned)
 
 
-def _tick(scale: float) -> tuple[float, int]:
-    """Return the step of an inch scale, thousandths, and its places."""
-    step = round_step(max(1, 10 * _APART / scale))
-    return step, 1 if step >= 100 else 2 if step >= 10 else 3
+def _tick(scale: float, unit: Unit) -> tuple[float, int]:
+    """Return the step of a scale, thousandths of an inch, and its places."""
+    thousandth = 1000 * unit.scale
+    step = round_step(max(1, 10 * _APART / scale * thousandth))
+    return step / thousandth, 1 if step >= 100 else 2 if step >= 10 else 3
 
 
 def _multiples(low: float, high: float, step: float) -> list[float]:

@@ -1,10 +1,12 @@
-"""The path as a DXF drawing, in inches: milling as polylines, positioning as lines, holes as circles.
+"""The path as a DXF drawing in the plane: milling as polylines, positioning as lines, holes as circles.
 
-    layer MILL       one polyline for each run of cuts, at the depth it was cut
-    layer POSITION   positioning moves, dashed
+    layer MILL       a polyline for each run of cuts, closed where it ends at its start
+    layer POSITION   from the end of a run to the start of the next, dashed
     layer HOLES      where the quill went down, as wide as the cutter
-    layer CURVE      the nominal curve, where it is named
-    layer GUESSED    the curve that the path follows, where none is named
+    layer CURVE      the nominal curve, or the edge of the part if that is known
+
+The positions at which nothing is cut, such as the parking of 1971, are left out, as in the G-code. Z is 0, or
+with `depth` how deep the cut is below the stock's top, for which the tape's Z feed point is taken.
 
 Needs ezdxf, the extra `nc`.
 """
@@ -12,33 +14,44 @@ Needs ezdxf, the extra `nc`.
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import StringIO
-from itertools import groupby, pairwise
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from nc.curves import Curve
-from nc.path import MoveKind, Path
+from nc.path import Move, MoveKind, Path
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts.layout import Modelspace
 
-_INCHES = 1
 _LAYERS = (
     ("MILL", 5, "CONTINUOUS"),
     ("POSITION", 8, "DASHED"),
     ("HOLES", 1, "CONTINUOUS"),
     ("CURVE", 3, "DASHED"),
-    ("GUESSED", 3, "DASHED"),
 )
 
 
-def dxf(path: Path, curve: Curve | None = None, cutter: float = 500) -> str:
-    """Return DXF text; `cutter` is the diameter in thousandths. Raises WorkError where ezdxf is missing."""
+def dxf(
+    path: Path,
+    curve: Curve | None = None,
+    cutter: float = 500,
+    *,
+    shift: tuple[float, float] = (0, 0),
+    depth: bool = False,
+    unit: Unit = INCH,
+) -> str:
+    """Return DXF text; `cutter` is the diameter, `shift` is added to X and Y, both in thousandths. Raises
+    WorkError where ezdxf is missing, and if the tape cuts nothing.
+    """
+    if not (path.cuts or path.holes):
+        raise WorkError("no block of this tape cuts: there is nothing to draw")
     with _ezdxf() as ezdxf:
         drawing: Drawing = ezdxf.new("R2010", setup=["linetypes"])
-        _draw(drawing, path, curve, cutter)
+        _Drawing(drawing, path, shift, depth, unit).draw(curve, cutter)
         for name in sorted(drawing.entitydb.dxf_types_in_use()):  # a set's order differs between processes
             drawing.classes.add_class(name)
         text = StringIO()
@@ -62,31 +75,67 @@ def _ezdxf() -> Iterator[ModuleType]:
         options.write_fixed_meta_data_for_testing = before
 
 
-def _draw(drawing: "Drawing", path: Path, curve: Curve | None, cutter: float) -> None:
-    drawing.units = _INCHES
-    drawing.header["$MEASUREMENT"] = 0
-    for name, colour, linetype in _LAYERS:
-        drawing.layers.add(name, color=colour, linetype=linetype)
-    space = drawing.modelspace()
-    _draw_moves(space, path)
-    for hole in path.holes:
-        centre = (hole.x / 1000, hole.y / 1000, -hole.z / 1000)
-        space.add_circle(centre, cutter / 2000, dxfattribs={"layer": "HOLES"})
-    if curve is not None:
-        places = (curve.stations(720).points / 1000).tolist()
-        layer = "GUESSED" if curve.guessed else "CURVE"
-        space.add_lwpolyline(places, close=curve.closed, dxfattribs={"layer": layer})
+class _Drawing:
+    """The drawing, in its unit, and what of it is drawn."""
 
+    def __init__(
+        self, drawing: "Drawing", path: Path, shift: tuple[float, float], depth: bool, unit: Unit
+    ) -> None:
+        self._path, self._shift, self._unit = path, shift, unit
+        points = [step.modes.feed_point for step in path.steps if step.modes.feed_point is not None]
+        self._top = min(points, default=0)
+        self._depth = depth
+        self._space = drawing.modelspace()
+        drawing.units = unit.dxf
+        drawing.header["$MEASUREMENT"] = int(unit is not INCH)
+        for name, colour, linetype in _LAYERS:
+            drawing.layers.add(name, color=colour, linetype=linetype)
+        self._places: list[tuple[float, float, float]] = []
 
-def _draw_moves(space: "Modelspace", path: Path) -> None:
-    """Add the moves across the table; those of the quill alone have no line in a plan."""
-    across = [move for move in path.moves if move.start[:2] != move.end[:2]]
-    for kind, moves in groupby(across, key=lambda move: move.kind):
-        run = list(moves)
-        places = [(at.x / 1000, at.y / 1000) for at in (run[0].start, *(move.end for move in run))]
-        if kind is MoveKind.MILL:
-            elevation = -run[0].start.z / 1000
-            space.add_lwpolyline(places, dxfattribs={"layer": "MILL", "elevation": elevation})
-            continue
-        for here, there in pairwise(places):
-            space.add_line(here, there, dxfattribs={"layer": "POSITION"})
+    def draw(self, curve: Curve | None, cutter: float) -> None:
+        """Draw everything, and say how far it goes."""
+        end = None
+        for run in self._runs():
+            start = run[0].start
+            if end is not None and end != start[:2]:
+                here, there = self._at(*end), self._at(*start[:2])
+                self._space.add_line(here, there, dxfattribs={"layer": "POSITION"})
+            self._outline([start[:2], *(move.end[:2] for move in run)], start.z)
+            end = run[-1].end[:2]
+        radius = cutter / 2
+        for x, y, z in self._path.holes:
+            attributes = {"layer": "HOLES"}
+            self._space.add_circle(self._at(x, y, z), self._unit.of(radius), dxfattribs=attributes)
+            self._places += [self._at(x - radius, y - radius, z), self._at(x + radius, y + radius, z)]
+        if curve is not None:
+            edge, _ = curve.surface(np.linspace(0, 1, 720, endpoint=not curve.closed))
+            places = [self._at(x, y)[:2] for x, y in edge.tolist()]
+            self._space.add_lwpolyline(places, close=curve.closed, dxfattribs={"layer": "CURVE"})
+            self._places += [self._at(x, y) for x, y in edge.tolist()]
+        low, high = (tuple(map(edge, zip(*self._places, strict=True))) for edge in (min, max))
+        self._space.reset_extents(low, high)
+
+    def _runs(self) -> Iterator[list[Move]]:
+        """Yield the cuts that join end to end at one depth."""
+        run: list[Move] = []
+        for move in self._path.moves:
+            joins = bool(run) and move.start == run[-1].end
+            if run and not (joins and move.kind is MoveKind.MILL):
+                yield run
+                run = []
+            if move.kind is MoveKind.MILL and move.start != move.end:
+                run.append(move)
+        if run:
+            yield run
+
+    def _outline(self, places: list[tuple[float, float]], z: float) -> None:
+        closed = len(places) > 2 and places[0] == places[-1]
+        line = [self._at(x, y, z) for x, y in places[: -1 if closed else None]]
+        attributes = {"layer": "MILL", "elevation": line[0][2]}
+        self._space.add_lwpolyline([at[:2] for at in line], close=closed, dxfattribs=attributes)
+        self._places += line
+
+    def _at(self, x: float, y: float, z: float | None = None) -> tuple[float, float, float]:
+        """Return a place of the table, thousandths, in the drawing."""
+        down = self._top - z if self._depth and z is not None else 0.0
+        return self._unit.of(x + self._shift[0]), self._unit.of(y + self._shift[1]), self._unit.of(down)

@@ -1,4 +1,4 @@
-"""A tape of 1971 as a program for today's mill: RS-274, inches, safe as it stands.
+"""A tape of 1971 as a program for today's mill: RS-274, safe as it stands.
 
     G0 X2.2500 Y4.0000 (N7)      in X and Y, rapids go at the safe height
     G0 Z0.0500 (N7)              in Z, down to just above the stock
@@ -10,13 +10,20 @@ says what an operator has to know, and what is left out: positions where nothing
 stops before the first cut and after the last, the tool, coolant. A stop or another tool between two cuts is
 M0, with the cutter lifted and still. A peck withdraws to the safe height and is fed in again.
 
-Sources: README of grbl 1.1, for its words; RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000).
+No tape says the pitch of a tap, and its Z feed fits none, so a tap is refused unless its pitch is given. It
+needs a floating holder: fed in at speed x pitch, the spindle reversed (M4) and given a second to turn, fed
+out as fast to above the stock, the spindle reversed again. Controllers without G84 have these words too.
+
+Sources: README of grbl 1.1, for its words; RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000);
+LinuxCNC's description of G84, for the order of a tap with a floating holder.
 """
 
 from collections.abc import Iterator
 from textwrap import wrap
+from typing import NamedTuple
 
-from nc.path import Move, MoveKind, Path, Position, Step
+from nc.path import Modes, Move, MoveKind, Path, Step
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.hydrapoint import COOLANT, MISCELLANEOUS, Miscellaneous, Preparatory
 
@@ -24,21 +31,30 @@ _FED = frozenset({MoveKind.FEED_IN, MoveKind.FEED_OUT, MoveKind.MILL})
 _TAPS = frozenset({Preparatory.TAP_FEED, Preparatory.TAP_PITCH})
 _COOLANT = {"off": [], "mist": ["M7"], "flood": ["M8"]}
 _ABOVE_STOCK = 50
+REVERSING = ("G4 P1",)
+"""A second for the spindle to turn the other way."""
 
 
-def gcode(
-    path: Path,
-    *,
-    cutter: float = 500,
-    safe: float = 250,
-    shift: tuple[float, float] = (0, 0),
-    tool_change: bool = False,
-) -> Iterator[str]:
-    """Yield the program line by line, without line ends; lengths are thousandths of an inch.
+class Output(NamedTuple):
+    """How the program is written; lengths in thousandths of an inch.
 
-    `cutter` is its diameter, for the header; `safe` is the height of rapids above the stock; `shift` is added
-    to X and Y. With `tool_change` tools and coolant are written, for a controller that has them. Raises
-    WorkError if the tape cuts nothing, or cuts before it starts the spindle.
+    `cutter` is its diameter, for the header; `safe` the height of rapids above the stock; `shift` is added to
+    X and Y; `pitch` is that of taps, 0 if it is not known. With `tool_change` tools and coolant are written,
+    for a controller that has them.
+    """
+
+    cutter: float = 500
+    safe: float = 250
+    shift: tuple[float, float] = (0, 0)
+    tool_change: bool = False
+    pitch: float = 0
+    unit: Unit = INCH
+
+
+def gcode(path: Path, output: Output = Output()) -> Iterator[str]:  # noqa: B008  # it is frozen
+    """Yield the program line by line, without line ends.
+
+    Raises WorkError if the tape cuts nothing, cuts before it starts the spindle, or taps without a pitch.
     """
     cutting = [*filter(_cuts, path.steps)]
     if not cutting:
@@ -48,59 +64,100 @@ def gcode(
             f"block {cutting[0].number} cuts with the spindle at rest: a block before it has to set "
             "the spindle speed (miscellaneous function 88)"
         )
+    check_taps(path, output.pitch)
     points = sorted({step.modes.feed_point or 0 for step in cutting})
-    program = _Program(points[0], safe, shift, tool_change)
-    program.left_out += _positions(path)
+    program = _Program(points[0], output)
+    program.left_out += _positions(path, output.unit)
     for step in path.steps:
         program.carry_out(step)
     program.end()
-    for words in _header(path, program, points, cutter):
+    for words in _header(path, program, points):
         yield from (f"({line})" for line in wrap(words, 90))
-    yield "G17 G20 G40 G49 G54 G61 G80 G90 G94"
+    yield f"G17 {output.unit.word} G40 G49 G54 G61 G80 G90 G94"
     yield from program.lines
 
 
-def _header(path: Path, program: "_Program", points: list[int], cutter: float) -> Iterator[str]:
-    (left, right), (near, far), (deepest, _) = (
-        (min(to), max(to)) for to in zip(*program.places, strict=True)
+def check_taps(path: Path, pitch: float) -> None:
+    """Raise WorkError if the tape taps and the pitch is not known, or if it is known and no block taps."""
+    taps = [*filter(is_tap, path.steps)]
+    if pitch and not taps:
+        raise WorkError("no block of this tape taps: leave out --tap")
+    tap = next((step for step in taps if not (pitch and step.modes.spindle)), None)
+    if tap is None:
+        return
+    if not tap.modes.spindle:
+        raise WorkError(f"block {tap.number} taps with the spindle at rest")
+    feed, speed = tap.modes.z_feed or 0, tap.modes.spindle
+    raise WorkError(
+        f"block {tap.number} taps, preparatory function {tap.block.preparatory}, at {feed:g} in/min and "
+        f"{speed} rpm, {feed / speed:.4f} in a turn: the tape does not say the pitch of the tap, and a tap "
+        "fed at another breaks. With a floating tap holder give it: --tap 0.05 for 20 threads to the inch"
     )
+
+
+def tap_feed(modes: Modes, pitch: float) -> float:
+    """Return the feed of a tap, inches a minute, for a pitch in thousandths."""
+    return (modes.spindle or 0) * pitch / 1000
+
+
+def is_tap(step: Step) -> bool:
+    """Whether a block taps."""
+    return step.block.preparatory in _TAPS
+
+
+def _header(path: Path, program: "_Program", points: list[int]) -> Iterator[str]:
+    output, unit = program.output, program.output.unit
+    (left, near, deepest), (right, far, _) = program.low, program.high
     feeds, speeds = (" to ".join(f"{to:g}" for to in sorted({min(of), max(of)})) for of in program.rates)
     minutes = (path.times.milling + path.times.z_feed) / 60
+    across, word = output.cutter, unit.said
     yield f"Moog Hydra-Point tape of 1971, {len(path)} blocks, about {minutes:.0f} min of cutting"
-    yield f"X {left:.4f} to {right:.4f}, Y {near:.4f} to {far:.4f}: the path of the cutter's centre"
-    yield f"cutter {_inches(cutter)} across, which no tape says: its edge goes {_inches(cutter / 2)} further"
-    others = "".join(f", others {_inches(points[0] - point)}" for point in points[1:])
-    yield f"Z 0 is the stock's top, set it with the cutter on it: feed point {_inches(points[0])}{others}"
-    yield f"depth {-deepest:.4f}, safe Z {_inches(program.safe)}, work offset G54"
-    yield f"spindle {speeds} rpm, feeds {feeds} in/min"
+    yield (
+        f"X {word(left, 4)} to {word(right, 4)}, Y {word(near, 4)} to {word(far, 4)}: "
+        "the path of the cutter's centre"
+    )
+    yield f"cutter {word(across, 4)} across, which no tape says: its edge goes {word(across / 2, 4)} further"
+    others = "".join(f", others {word(points[0] - point, 4)}" for point in points[1:])
+    yield f"Z 0 is the stock's top, set it with the cutter on it: feed point {word(points[0], 4)}{others}"
+    yield f"depth {word(-deepest, 4)}, safe Z {word(output.safe, 4)}, work offset G54"
+    yield f"spindle {speeds} rpm, feeds {feeds} {unit.name}/min"
+    if output.pitch:
+        yield (
+            f"tapping: floating tap holder, pitch {word(output.pitch, 4)}, fed at speed x pitch; "
+            "leave feed and speed override at 100 per cent"
+        )
     yield from (f"left out: {what}" for what in program.left_out)
 
 
-def _positions(path: Path) -> list[str]:
+def _positions(path: Path, unit: Unit) -> list[str]:
     """Return the places to which the table goes, and where the next cut does not begin."""
     passed, following = [], None
     for step in reversed(path.steps):
         if _cuts(step):
             following = next(move.start[:2] for move in step.moves if move.kind in _FED)
         elif step.moves and step.at[:2] != following:
-            passed.append(f"position X {_inches(step.at.x)} Y {_inches(step.at.y)} of block {step.number}")
+            x, y = unit.said(step.at.x, 4), unit.said(step.at.y, 4)
+            passed.append(f"position X {x} Y {y} of block {step.number}")
     return passed[::-1]
 
 
 class _Program:
-    """The program so far, and where it has left the mill; `rates` are its feeds and spindle speeds."""
+    """The program so far, where it has left the mill, and how far it goes; `rates` are its feeds and spindle
+    speeds.
+    """
 
-    def __init__(self, top: int, safe: float, shift: tuple[float, float], tool_change: bool) -> None:
-        self.top, self.safe, self.shift, self.tool_change = top, safe, shift, tool_change
+    def __init__(self, top: int, output: Output) -> None:
+        self.top, self.output = top, output
         self.lines: list[str] = []
         self.left_out: list[str] = []
-        self.places: list[tuple[float, ...]] = []
+        self.low, self.high = [1e9, 1e9, 1e9], [-1e9, -1e9, -1e9]
         self.rates: tuple[list[float], list[float]] = [], []
-        self._at: dict[str, str] = {}
+        self._at: list[str] = ["", "", ""]
+        self._words: dict[float, str] = {}
         self._coolant = "off"
         self._turning = 0
         self._waiting: list[tuple[str, str]] = []
-        self._go("G0", Z=safe)
+        self._go("G0", z=output.safe)
 
     def carry_out(self, step: Step) -> None:
         """Write what a block cuts; what it stops for waits until another cut follows."""
@@ -108,57 +165,68 @@ class _Program:
             if move.kind in _FED:
                 self._cut(step, move, f" (N{step.number})")
             elif move.kind == MoveKind.RETRACT:
-                self._go("G0", Z=self.safe)
-        function, of_block = step.block.miscellaneous, f"of block {step.number}"
-        if function in COOLANT and step.modes.coolant != "off" and not self.tool_change:
+                self._go("G0", z=self.output.safe)
+        function = step.block.miscellaneous
+        if function in _OTHERS:
+            self._put_off(step, function)
+
+    def _put_off(self, step: Step, function: int) -> None:
+        of_block, changes = f"of block {step.number}", self.output.tool_change
+        if function in COOLANT and step.modes.coolant != "off" and not changes:
             self.left_out.append(f"{step.modes.coolant} coolant {of_block}")
         if step.tool_changed or (function == Miscellaneous.MANUAL_TOOL_CHANGE and step.block.tool):
             what = f"tool {step.modes.tool:02} {of_block}"
             change = f"T{step.modes.tool} M6", what
-            self._waiting.append(change if self.tool_change else ("M0", f"{what}, set Z 0 with it"))
+            self._waiting.append(change if changes else ("M0", f"{what}, set Z 0 with it"))
         elif step.stop or function == Miscellaneous.INDEX:
             self._waiting.append(("M0", f"{MISCELLANEOUS[function]} {of_block}"))
 
     def end(self) -> None:
         """Lift the cutter, stop the spindle, and end."""
-        self._go("G0", Z=self.safe)
+        self._go("G0", z=self.output.safe)
         self.left_out += [what for _, what in self._waiting]
         self.lines += ["M5", *(["M9"] if self._coolant != "off" else []), "M30"]
 
     def _cut(self, step: Step, move: Move, note: str) -> None:
-        start, end = (
-            Position(at.x + self.shift[0], at.y + self.shift[1], self.top - at.z)
-            for at in (move.start, move.end)
-        )
-        self._stop()
-        self._turn(step)
-        if self._stands(Z=self.safe) or not self._stands(X=start.x, Y=start.y):
-            self._go("G0", Z=self.safe)
-            self._go("G0", note, X=start.x, Y=start.y)
-            self._go("G0", note, Z=min(self.safe, _ABOVE_STOCK))
+        safe, (across, up) = self.output.safe, self.output.shift
+        (x, y, z), (end_x, end_y, end_z) = move.start, move.end
+        x, y, end_x, end_y = x + across, y + up, end_x + across, end_y + up
+        if self._waiting:
+            self._stop()
+        if step.modes.spindle != self._turning or step.modes.coolant != self._coolant:
+            self._turn(step)
+        if self._at[2] == self._word(safe) or self._at[:2] != [self._word(x), self._word(y)]:
+            self._go("G0", z=safe)
+            self._go("G0", note, x=x, y=y)
+            self._go("G0", note, z=min(safe, _ABOVE_STOCK))
         if move.kind == MoveKind.MILL:
-            self._go("G1", note, step.modes.z_feed, Z=start.z)
-        backs_out = move.kind == MoveKind.FEED_OUT and step.block.preparatory in _TAPS
-        self.lines += ["M4"] * backs_out
-        self._go("G1", note, move.speed, X=end.x, Y=end.y, Z=end.z)
-        self.lines += ["M3"] * backs_out
+            self._go("G1", note, step.modes.z_feed, z=self.top - z)
+        taps, speed, end_z = is_tap(step), move.speed, self.top - end_z
+        if taps:
+            speed = tap_feed(step.modes, self.output.pitch)
+        if taps and move.kind == MoveKind.FEED_OUT:
+            self.lines += [f"M4 S{self._turning}", *REVERSING]
+            self._go("G1", note, speed, z=_ABOVE_STOCK)
+            self.lines += [f"M3 S{self._turning}", *REVERSING]
+        else:
+            self._go("G1", note, speed, end_x, end_y, end_z)
 
     def _stop(self) -> None:
         """Write what waits for this cut; afterwards the mill may be anywhere, at rest."""
         for code, what in self._waiting:
-            if code == "M0" and not self.places:
+            if code == "M0" and not self.rates[0]:
                 self.left_out.append(what)
                 continue
-            self._go("G0", Z=self.safe)
+            self._go("G0", z=self.output.safe)
             self.lines += [*(["M5"] if self._turning else []), f"{code} ({what})"]
             self.lines += ["G43"] if code != "M0" else []
-            self._at.clear()
+            self._at = ["", "", ""]
             self._turning = 0
-            self._go("G0", Z=self.safe)
+            self._go("G0", z=self.output.safe)
         self._waiting.clear()
 
     def _turn(self, step: Step) -> None:
-        speed, coolant = step.modes.spindle or 0, step.modes.coolant if self.tool_change else "off"
+        speed, coolant = step.modes.spindle or 0, step.modes.coolant if self.output.tool_change else "off"
         if speed != self._turning:
             self.lines += [f"M3 S{speed}", "G4 P3"]
             self.rates[1].append(speed)
@@ -166,26 +234,45 @@ class _Program:
             self.lines += [*(["M9"] if self._coolant != "off" else []), *_COOLANT[coolant]]
         self._turning, self._coolant = speed, coolant
 
-    def _stands(self, **at: float) -> bool:
-        return {axis: _inches(place) for axis, place in at.items()}.items() <= self._at.items()
+    def _word(self, place: float) -> str:
+        """Return a place as it is written."""
+        word = self._words.get(place)
+        if word is None:
+            word = self._words[place] = self.output.unit.said(place, 4)
+        return word
 
-    def _go(self, code: str, note: str = "", feed: float | None = None, **to: float) -> None:
+    def _go(
+        self,
+        code: str,
+        note: str = "",
+        feed: float | None = None,
+        x: float | None = None,
+        y: float | None = None,
+        z: float | None = None,
+    ) -> None:
         """Write a straight move along the axes that change, with its feed where that changes."""
-        words = [f"{axis}{_inches(place)}" for axis, place in to.items() if not self._stands(**{axis: place})]
-        if not words:
+        line = code
+        for axis, place in enumerate((x, y, z)):
+            if place is None or (word := self._word(place)) == self._at[axis]:
+                continue
+            self._at[axis] = word
+            line += f" {'XYZ'[axis]}{word}"
+            self.low[axis], self.high[axis] = min(self.low[axis], place), max(self.high[axis], place)
+        if line == code:
             return
-        self._at |= {word[0]: word[1:] for word in words}
-        if feed is not None and self.rates[0][-1:] != [round(feed, 4)]:
-            self.rates[0].append(round(feed, 4))
-            words.append(f"F{self.rates[0][-1]}")
-        self.lines.append(f"{code} {' '.join(words)}{note}")
-        if len(self._at) == len("XYZ"):
-            self.places.append(tuple(float(self._at[axis]) for axis in "XYZ"))
+        if feed is not None:
+            rate = round(self.output.unit.of(1000 * feed), 4)
+            if self.rates[0][-1:] != [rate]:
+                self.rates[0].append(rate)
+                line += f" F{rate}"
+        self.lines.append(line + note)
+
+
+_OTHERS = frozenset(MISCELLANEOUS) - {
+    Miscellaneous.NO_CHANGE, Miscellaneous.X_FEED, Miscellaneous.Y_FEED, Miscellaneous.Z_FEED
+}  # fmt: skip
+"""The functions of which a program may say something."""
 
 
 def _cuts(step: Step) -> bool:
     return any(move.kind in _FED for move in step.moves)
-
-
-def _inches(thousandths: float) -> str:
-    return f"{round(thousandths / 1000, 4) + 0.0:.4f}"

@@ -10,32 +10,38 @@ Program stop, end of program and manual tool change are M0, as they wait for STA
 the spindle too. A tape that ends in the work, as the thesis's do, leaves the cutter there until its block 001
 is run again; here Z goes to the top first. M2 ends the program. The feeds are those the path was cut with.
 RS-274's M6 stops the spindle, so M3 follows it; RS-274 can have both coolants on, so M9 stands between them.
-A tap comes out of its hole with the spindle reversed, M4, as in a floating holder.
+A tap comes out of its hole with the spindle reversed, M4, as in a floating holder; at the Z feed of the tape
+it would break, so it is fed by its pitch or refused.
 
 Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common part of every dialect.
 """
 
 from collections.abc import Iterator
 
+from nc.gcode import REVERSING, check_taps, is_tap, tap_feed
 from nc.listing import spaced
 from nc.path import Modes, Move, MoveKind, Path, Position, Step
-from tapes.hydrapoint import Miscellaneous, Preparatory
+from nc.unit import INCH, Unit
+from tapes.hydrapoint import Miscellaneous
 
 _RAPID = frozenset({MoveKind.POSITION, MoveKind.APPROACH, MoveKind.RETRACT})
-_TAPS = {Preparatory.TAP_FEED, Preparatory.TAP_PITCH}
 _COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
 
 
-def gcode_1971(path: Path) -> Iterator[str]:
-    """Yield the program line by line, without line ends."""
+def gcode_1971(path: Path, pitch: float = 0, unit: Unit = INCH) -> Iterator[str]:
+    """Yield the program line by line, without line ends; `pitch` is that of taps, thousandths.
+
+    Raises WorkError for a tape that taps, if it is 0.
+    """
+    check_taps(path, pitch)
     yield "(Moog Hydra-Point 83-1000 MC, 20-row block tape)"
     if path.moves and not any(step.modes.spindle for step in path.steps):
         yield "(the tape starts no spindle)"
-    yield "G20 G90 G17 G94 G40 G80 G61"
+    yield f"{unit.word} G90 G17 G94 G40 G80 G61"
     yield "G0 Z0.0000 (the quill is up)"
     before = Modes()
     for step in path.steps:
-        yield from _numbered(step, [*_changes(before, step), *_moves(step), *_stops(step)])
+        yield from _numbered(step, [*_changes(before, step), *_moves(step, pitch, unit), *_stops(step)])
         before = step.modes
     if path.steps and path.steps[-1].at.z:
         yield "G0 Z0.0000 (the tape ends here)"
@@ -63,22 +69,24 @@ def _changes(before: Modes, step: Step) -> Iterator[str]:
         yield _COOLANT[modes.coolant]
 
 
-def _moves(step: Step) -> Iterator[str]:
+def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
     for move in step.moves:
-        backs_out = move.kind == MoveKind.FEED_OUT and step.block.preparatory in _TAPS and step.modes.spindle
+        backs_out = move.kind == MoveKind.FEED_OUT and is_tap(step) and step.modes.spindle
         if backs_out:
-            yield "M4"
-        yield f"G0 {_words(move)}" if move.kind in _RAPID else f"G1 {_words(move)} F{round(move.speed, 4)}"
+            yield from ["M4", *REVERSING]
+        feed = round(unit.of(1000 * (tap_feed(step.modes, pitch) if is_tap(step) else move.speed)), 4)
+        words = _words(move, unit)
+        yield f"G0 {words}" if move.kind in _RAPID else f"G1 {words} F{feed}"
         if backs_out:
-            yield "M3"
+            yield from ["M3", *REVERSING]
 
 
-def _words(move: Move) -> str:
+def _words(move: Move, unit: Unit) -> str:
     """Return the axes that move; of a position both X and Y, as where a controller stands is not known."""
     start, end = _signed(move.start), _signed(move.end)
     whole = "XY" if move.kind == MoveKind.POSITION else ""
     return " ".join(
-        f"{axis}{to / 1000:.4f}"
+        f"{axis}{unit.said(to, 4)}"
         for axis, was, to in zip("XYZ", start, end, strict=True)
         if was != to or axis in whole
     )

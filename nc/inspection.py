@@ -8,8 +8,9 @@
 
 The cutter removes everything it passes over: discs at the path's corners, rectangles between them. From each
 station the stylus moves out and in along the normal until it meets metal. The intersections are exact: arcs
-are not approximated. There is no wall, nan, where the station itself was not cut, and none on the side to
-which the curve bends closer than the cutter's radius, as inside a circle smaller than the cutter.
+are not approximated. There is no wall, nan, where the station itself was not cut, and none where a cutter on
+the curve would cut it away from elsewhere, as inside a circle smaller than the cutter. Where the curve is the
+surface of a part, only the wall on the part's side is measured.
 
 Deviations and lengths are thousandths of an inch.
 
@@ -25,8 +26,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nc.curves import Curve, Floats, Stations, fitted
+from nc.curves import curve as sampled
 from nc.path import Move, Path
 from tapes.errors import WorkError
+from tapes.nominal import Nominal
 
 STATIONS = 36_000
 """One every hundredth of a degree: .0003 in on the thesis's circle."""
@@ -36,22 +39,33 @@ _CUTS_AT_FULL = 4_000
 _FOLLOWED = 20
 _GROUP = 360
 _AT_ONCE = 512
-_ROUND = 0.999
-"""The cutter's radius beside that of the curve's bend, from which it leaves nothing within the bend."""
+_TIE = 1e-6
+"""Of two stations as near, at a corner, the one whose normal leads to the place is taken."""
+_LEFT = 0.05
+"""Thousandths by which a wall of the curve may be cut from elsewhere on it."""
+_EVERY = 8
+_TURNS, _FINE = 50, 16
+"""How many of the lowest and highest places are looked at closely, and into how many parts a step goes."""
+_PIECE = 10.0
+"""Thousandths of a cut, from one place of the cutter's centre to the next."""
 
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """The error of each wall at each station, (n,), in thousandths outward; nan where there is none."""
+    """The error of each wall at each station, (n,), in thousandths outward; nan where there is none. If
+    `part_wall` names one, only that is the part's, and the other is not measured.
+    """
 
     stations: Stations
     outer: Floats
     inner: Floats
+    part_wall: str = ""
 
     @property
     def by_name(self) -> dict[str, Floats]:
-        """Both, by what they are called in reports and drawings."""
-        return {"outer": self.outer, "inner": self.inner}
+        """The walls that are measured, by what they are called in reports and drawings."""
+        both = {"outer": self.outer, "inner": self.inner}
+        return {self.part_wall: both[self.part_wall]} if self.part_wall else both
 
 
 @dataclass(frozen=True)
@@ -83,7 +97,7 @@ class Inspection:
     """A path measured against its nominal curve; the cutter's diameter and the tolerance are in thousandths.
 
     `centre` is the furthest that the cutter's centre went inside and outside the curve near it. `stepwise`:
-    each cut is along one axis.
+    each cut is along one axis. `gap` is how far the milling ends from its start, thousandths.
     """
 
     curve: Curve
@@ -92,6 +106,7 @@ class Inspection:
     walls: Walls
     centre: tuple[float, float]
     stepwise: bool
+    gap: float
     readings: tuple[Reading, ...]
 
     @property
@@ -113,13 +128,19 @@ class Inspection:
     @property
     def uncut(self) -> float:
         """The part of the curve, 0 to 1, that the cutter did not reach."""
-        return float((np.isnan(self.walls.outer) & np.isnan(self.walls.inner)).mean())
+        return float(np.isnan([*self.walls.by_name.values()]).all(axis=0).mean())
 
     @property
     def without(self) -> dict[str, float]:
         """The part of the curve, 0 to 1, along which the cutter left no such wall."""
         uncut = self.uncut
         return {wall: float(np.isnan(error).mean()) - uncut for wall, error in self.walls.by_name.items()}
+
+
+def against(path: Path, nominal: Nominal) -> Inspection:
+    """Measure the walls against the curve, with its cutter and tolerance. Raises WorkError as `inspect`."""
+    cutter = 1000 * nominal.cutter
+    return inspect(path, sampled(nominal, cutter), cutter, 1000 * nominal.tolerance)
 
 
 def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
@@ -138,28 +159,59 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
             f"the milled path follows no circle, ellipse or line within {_follows(tolerance) / 1000:.3f} in: "
             "name the nominal curve"
         )
-    corners = _corners(cuts)
-    count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(corners)))
-    measured = walls(cuts, curve.stations(count), cutter / 2)
+    count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(_corners(cuts))))
+    stations = curve.stations(count)
+    measured = _to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations)
     if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
-    centre = curve.deviations(corners[_beside(corners, measured.stations, cutter)])
-    readings = tuple(_readings(curve, measured))
+    finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points)
+    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations))))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
-    limits = float(centre.min()), float(centre.max())
-    return Inspection(curve, cutter, tolerance, measured, limits, stepwise, readings)
+    centre = _centre(cuts, stations, cutter)
+    return Inspection(curve, cutter, tolerance, measured, centre, stepwise, path.gap, readings)
 
 
 def _corners(cuts: Floats) -> Floats:
     return np.unique(np.concatenate([cuts[:, :2], cuts[:, 2:]]), axis=0)
 
 
-def _beside(corners: Floats, stations: Stations, reach: float) -> NDArray[np.bool_]:
-    """Return which of the corners (n, 2) lie within reach of the curve; all of them if none does."""
-    some = stations.points[:: len(stations) // 500]
-    apart = np.hypot(*(corners[:, None, :] - some).transpose(2, 0, 1)).min(axis=1)
-    near = np.asarray(apart <= reach)
-    return near if near.any() else np.ones(len(corners), dtype=np.bool_)
+def _centre(cuts: Floats, stations: Stations, reach: float) -> tuple[float, float]:
+    """Return the furthest that the path of the centre is inside and outside of the curve, near it."""
+    pieces = np.maximum(1, np.ceil(np.abs(cuts[:, 2:] - cuts[:, :2]).max(axis=1) / _PIECE)).astype(np.intp)
+    which = np.repeat(np.arange(len(cuts)), pieces)
+    part = (np.arange(len(which)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / pieces[which]
+    ways = cuts[which, :2] + part[:, None] * (cuts[which, 2:] - cuts[which, :2])
+    places = np.unique(np.concatenate([ways, cuts[:, 2:]]), axis=0)
+    off = _off(places, stations.part(slice(None, None, _EVERY)), reach)
+    return float(np.nanmin(off)), float(np.nanmax(off))
+
+
+def _off(places: Floats, stations: Stations, reach: float) -> Floats:
+    """Return how far outside of the curve the places (n, 2) are, (n,); nan further away than `reach`."""
+    nearest, off = np.full(len(places), reach * reach + _TIE), np.full(len(places), np.nan)
+    for here in _groups(stations):
+        for near in _about(here.points, reach, places, places):
+            x = places[near, :1] - here.points[:, 0]
+            y = places[near, 1:] - here.points[:, 1]
+            square, along = x * x + y * y, x * here.normals[:, 0] + y * here.normals[:, 1]
+            at = np.arange(len(near)), (square - _TIE * along * along).argmin(axis=1)
+            closer = square[at] < nearest[near]
+            nearest[near[closer]], off[near[closer]] = square[at][closer], along[at][closer]
+    return off
+
+
+def _groups(stations: Stations) -> Iterator[Stations]:
+    """Yield the stations, some at a time."""
+    for first in range(0, len(stations), _GROUP):
+        yield stations.part(slice(first, first + _GROUP))
+
+
+def _about(points: Floats, reach: float, low: Floats, high: Floats) -> Iterator[NDArray[np.intp]]:
+    """Yield the indices of boxes (n, 2) within `reach` of the box about the points, some at a time."""
+    floor, ceiling = points.min(axis=0) - reach, points.max(axis=0) + reach
+    near = np.flatnonzero(((high >= floor) & (low <= ceiling)).all(axis=1))
+    for first in range(0, len(near), _AT_ONCE):
+        yield near[first : first + _AT_ONCE]
 
 
 def followed(path: Path, tolerance: float) -> Curve | None:
@@ -182,33 +234,103 @@ def segments(moves: Sequence[Move]) -> Floats:
     return np.array(ends, dtype=np.float64).reshape(len(moves), 4)
 
 
-def walls(cuts: Floats, stations: Stations, radius: float) -> Walls:
+def walls(
+    cuts: Floats, stations: Stations, radius: float, part_wall: str = "", path: Floats | None = None
+) -> Walls:
     """Return the walls that a cutter of this radius leaves along the cuts (n, 4), at the stations.
 
-    Exact; the time is in proportion to the stations times the cuts within reach of each.
+    `path` are points of the curve, by default the stations'. Exact; the time is in proportion to the
+    stations times the cuts within reach of each.
     """
     outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
     corners = _corners(cuts)
     sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
     low, high = np.minimum(sides[:, :2], sides[:, 2:]), np.maximum(sides[:, :2], sides[:, 2:])
-    for first in range(0, len(stations), _GROUP):
-        group = slice(first, first + _GROUP)
-        here = stations.part(group)
-        floor, ceiling = here.points.min(axis=0) - radius, here.points.max(axis=0) + radius
-        near_corners = corners[((corners >= floor) & (corners <= ceiling)).all(axis=1)]
-        near_sides = sides[((high >= floor) & (low <= ceiling)).all(axis=1)]
-        for through, near in ((_through_discs, near_corners), (_through_sides, near_sides)):
-            for at in range(0, len(near), _AT_ONCE):
-                enter, leave = through(here, near[at : at + _AT_ONCE], radius)
+    for number, here in enumerate(_groups(stations)):
+        group = slice(number * _GROUP, (number + 1) * _GROUP)
+        for through, parts, *box in (
+            (_through_discs, corners, corners, corners),
+            (_through_sides, sides, low, high),
+        ):
+            for near in _about(here.points, radius, *box):
+                enter, leave = through(here, parts[near], radius)
                 cut = (enter <= 0) & (leave >= 0)
                 inner[group] = np.minimum(inner[group], np.where(cut, enter, np.inf).min(axis=1))
                 outer[group] = np.maximum(outer[group], np.where(cut, leave, -np.inf).max(axis=1))
-    bend = np.where(np.isfinite(outer), radius * stations.bend, np.nan)
-    return Walls(
-        stations,
-        np.where(bend > -_ROUND, outer - radius, np.nan),
-        np.where(bend < _ROUND, inner + radius, np.nan),
+    path = stations.points if path is None else path
+    found = {}
+    for wall, error, sign in (("outer", outer - radius, 1), ("inner", inner + radius, -1)):
+        stands = wall == part_wall if part_wall else _stands(stations, sign * radius, path[::_EVERY])
+        found[wall] = np.where(np.isfinite(error) & stands, error, np.nan)
+    return Walls(stations, found["outer"], found["inner"], part_wall)
+
+
+def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
+    """Return where the wall `off` the curve is left by a cutter of that radius that goes along `path`."""
+    some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
+    nearest = np.full(len(some), np.inf)
+    for number, here in enumerate(_groups(stations.part(some))):
+        group = slice(number * _GROUP, (number + 1) * _GROUP)
+        wall = here.points + off * here.normals
+        for near in _about(wall, abs(off), path, path):
+            x, y = wall[:, :1] - path[near, 0], wall[:, 1:] - path[near, 1]
+            nearest[group] = np.minimum(nearest[group], (x * x + y * y).min(axis=1))
+    left = nearest >= (abs(off) - _LEFT) ** 2
+    return np.asarray(np.interp(np.arange(len(stations)), some, left) == 1)
+
+
+def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
+    """Return the walls with their distance from the edge of a part that has corners: what is cut off a tip is
+    nearer to one of its sides than to where the normal leads.
+    """
+    if not (measured.part_wall and len(curve.tips)):
+        return measured
+    edge, here = (
+        Stations(each.points - curve.beside * each.normals, each.normals, each.along)
+        for each in (stations, measured.stations)
     )
+    off = measured.by_name[measured.part_wall].copy()
+    reach = 3 * float(np.nanmax(np.abs(off))) + 1
+    near = np.isfinite(off) & np.isfinite(_off(here.points, _at(curve.tips), reach))
+    off[near] = _off(here.points[near] + off[near, None] * here.normals[near], edge, 2 * reach)
+    both = {"outer": measured.outer, "inner": measured.inner, measured.part_wall: off}
+    return Walls(measured.stations, both["outer"], both["inner"], measured.part_wall)
+
+
+def _at(points: Floats) -> Stations:
+    """Return stations at points of no curve."""
+    return Stations(points, np.zeros_like(points), np.zeros(len(points)))
+
+
+def _finer(measured: Walls) -> Stations:
+    """Return stations close about the places where the walls turn that are furthest in and out."""
+    turns: set[int] = set()
+    for error in measured.by_name.values():
+        for level in (error, -error):
+            with_walls = np.where(np.isnan(level), -np.inf, level)
+            higher = (with_walls >= np.roll(with_walls, 1)) & (with_walls >= np.roll(with_walls, -1))
+            tops = np.flatnonzero(higher & np.isfinite(with_walls))
+            turns.update(tops[np.argsort(with_walls[tops])[-_TURNS:]].tolist())
+    at = np.array(sorted({turn - side for turn in turns for side in (0, 1)} - {-1}), dtype=np.intp)
+    at = at[at + 1 < len(measured.stations)][:, None]
+    part = np.arange(1, _FINE)[:, None] / _FINE
+    points, normals = (
+        (each[at] + part * (each[at + 1] - each[at])).reshape(-1, 2)
+        for each in (measured.stations.points, measured.stations.normals)
+    )
+    return Stations(points, normals / np.hypot(*normals.T)[:, None], np.zeros(len(points)))
+
+
+def _joined(one: Walls, other: Walls) -> Walls:
+    """Return the walls at the stations of both, for readings."""
+    here, there = one.stations, other.stations
+    stations = Stations(
+        np.concatenate([here.points, there.points]),
+        np.concatenate([here.normals, there.normals]),
+        np.concatenate([here.along, there.along]),
+    )
+    outer, inner = np.concatenate([one.outer, other.outer]), np.concatenate([one.inner, other.inner])
+    return Walls(stations, outer, inner, one.part_wall)
 
 
 def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.intp]]:

@@ -18,6 +18,7 @@ from nc.curves import Curve, Graph
 from nc.drawing import FAINT, INK, Sheet, View, Window, around
 from nc.listing import does, in_force, spaced
 from nc.path import Move, MoveKind, Path, Position
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.hydrapoint import HOLE_MAKING, Preparatory
 
@@ -41,52 +42,54 @@ def plot(
     tolerance: float = 5,
     zoom: tuple[float, float] = (10, 10),
     close_at: tuple[float, float] | None = None,
+    unit: Unit = INCH,
 ) -> str:
     """Return the drawing as SVG text. `block` is the current one, counted from 1, by default the last.
 
     `cutter` (diameter), `tolerance` and `close_at`, the centre of the close view if not the current block,
-    are thousandths of an inch; `curve`, if given, is drawn with its band. `zoom` is the scale of the close
-    view along X and along Y. Raises WorkError if the tape does not have that block.
+    are thousandths of an inch; `unit` is that of scales and words. `curve`, if given, is drawn with its band.
+    `zoom` is the scale of the close view along X and along Y. Raises WorkError if the tape does not have that
+    block.
     """
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
         raise WorkError(f"block {current}: the tape has blocks 1 to {len(path)}")
-    heading = _heading(path, curve, current)
+    heading = _heading(path, curve, current, unit)
     window = _window(path, cutter)
     scale = next((s for s in _SCALES if _fits(window, s)), min(_SCALES))
     top = 66 + _LINE * len(heading)
     close_top = top + window.height * scale / 10 + 90
     bottom = close_top + _CLOSE_HEIGHT
     sheet = Sheet(_LEFT + _WIDTH + 20, bottom + 90, f"Hydra-Point, block {current}")
-    sheet.text(_LEFT, 26, _title(path, cutter), font_size=15)
+    sheet.text(_LEFT, 26, _title(path, cutter, unit), font_size=15)
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
     sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)
-    part = sheet.view(_LEFT, top, window, scale)
+    part = sheet.view(_LEFT, top, window, scale, scale, unit)
     _draw_part(part, path, current, cutter)
     if isinstance(curve, Graph):
         _draw_axes(part, curve)
-    sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom), fill=FAINT)
+    sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom, unit), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
     half_width, half_height = _WIDTH / zoom[0] * 5, _CLOSE_HEIGHT / zoom[1] * 5
     close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
-    _draw_close(sheet.view(_LEFT, close_top, close, *zoom), path, current, curve, cutter, tolerance)
+    _draw_close(sheet.view(_LEFT, close_top, close, *zoom, unit), path, current, curve, cutter, tolerance)
     for row, line in enumerate(_LEGEND):
         sheet.text(_LEFT, bottom + 60 + _LINE * row, line, fill=FAINT)
     return sheet.svg()
 
 
-def _title(path: Path, cutter: float) -> str:
+def _title(path: Path, cutter: float, unit: Unit) -> str:
     tape = f"{len(path)} blocks · {path.times.total / 60:.1f} min"
-    return f"Moog Hydra-Point 83-1000 MC · {tape} · cutter {cutter / 1000:.3f} in"
+    return f"Moog Hydra-Point 83-1000 MC · {tape} · cutter {unit.said(cutter)} {unit.name}"
 
 
-def _heading(path: Path, curve: Curve | None, current: int) -> list[tuple[str, str]]:
+def _heading(path: Path, curve: Curve | None, current: int, unit: Unit) -> list[tuple[str, str]]:
     """Return the description of the current block, in lines that fit the sheet, each with its colour."""
     step = path.steps[current - 1]
     said = [(f"block {current}: {spaced(step.block)} — {does(step)}", _NOW), (in_force(step), INK)]
     if curve is not None and curve.closed and path.gap:
-        said.append((f"the contour ends {path.gap / 1000:.3f} in from its start", FAINT))
+        said.append((f"the contour ends {unit.said(path.gap)} {unit.name} from its start", FAINT))
     return [(line, colour) for words, colour in said for line in wrap(words, _LETTERS)]
 
 
@@ -104,8 +107,8 @@ def _ratio(scale: float) -> str:
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
 
-def _close_title(curve: Curve | None, tolerance: float, zoom: tuple[float, float]) -> str:
-    band = f"; band ±{tolerance / 1000:.3f} in about the {curve}" if curve else ""
+def _close_title(curve: Curve | None, tolerance: float, zoom: tuple[float, float], unit: Unit) -> str:
+    band = f"; band ±{unit.said(tolerance)} {unit.name} about the {curve.said(unit)}" if curve else ""
     along, up = map(_ratio, zoom)
     return f"close, scale {along}{band}" if along == up else f"stretched, X {along}, Y {up}{band}"
 
@@ -193,12 +196,12 @@ def _draw_band(view: View, curve: Curve, cutter: float, tolerance: float) -> Non
     """Draw the curve, the band's two limits, and the walls that a cutter exactly on the curve leaves."""
     stations, reach = curve.stations(7_200), view.window.grown(10)
     wall = cutter / 2 * stations.normals
+    walls = {"inner": (stations.points - wall, "2 3"), "outer": (stations.points + wall, "2 3")}
     for line, dashes in (
         (curve.limit(stations, -tolerance), "none"),
         (stations.points, "8 4"),
         (curve.limit(stations, tolerance), "none"),
-        (stations.points - wall, "2 3"),
-        (stations.points + wall, "2 3"),
+        *([walls[curve.part_wall]] if curve.part_wall else walls.values()),
     ):
         places = line.tolist()
         if curve.closed:

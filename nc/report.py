@@ -10,8 +10,8 @@ from nc.curves import Ellipse
 from nc.inspection import Inspection, Reading
 from nc.listing import place
 from nc.path import Path, Position
+from nc.unit import INCH, Unit
 from tapes.hydrapoint import POSITIONING_SPEED
-from tapes.quantities import inches
 
 THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
 """The test circle of Chapter 7: 4 in across, 1/2 in cutter."""
@@ -90,49 +90,55 @@ def _minutes(seconds: float) -> str:
     return f"{seconds / 60:7.1f} min"
 
 
-def inspection_report(inspection: Inspection) -> Iterator[str]:
-    """Yield the readings of the instruments, line by line; errors in inches."""
-    yield f"nominal   {inspection.curve}"
+def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INCH) -> Iterator[str]:
+    """Yield the readings of the instruments, line by line; `source` is where the nominal curve is from."""
+    yield f"nominal   {inspection.curve.said(unit)}"
+    if source:
+        yield f"known by  {source}"
     yield (
-        f"cutter    {inspection.cutter / 1000:.3f} in; its centre went "
-        f"from {_side(inspection, 0)} to {_side(inspection, 1)} of nominal"
+        f"cutter    {unit.said(inspection.cutter)} {unit.name}; its centre went "
+        f"from {_side(inspection, 0, unit)} to {_side(inspection, 1, unit)} of nominal"
     )
     yield f"stations  {len(inspection.walls.stations)}"
+    if inspection.curve.closed and inspection.gap:
+        gap = f"{unit.error(inspection.gap)} {unit.name}"
+        yield f"open      the milling ends {gap} from its start: the contour is not closed"
     if inspection.uncut:
         yield f"not cut   {inspection.uncut:.1%} of the curve was not reached by the cutter"
     for wall, part in inspection.without.items():
         if part:
             yield f"no wall   {wall}, along {part:.1%} of the curve: it bends closer than the cutter's radius"
     yield ""
-    yield from _readings(inspection)
+    yield from _readings(inspection, unit)
     yield ""
     worst = inspection.worst
     yield (
-        f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}, "
-        f"from {_signed(worst.lowest)} to {_signed(worst.highest)}"
+        f"worst trough to peak {unit.error(worst.trough_to_peak)} {unit.name}: {worst.wall} wall, "
+        f"{worst.place}, from {unit.signed(worst.lowest)} to {unit.signed(worst.highest)}"
         + (f"; thesis {_WORST_1971}" if _is_the_thesiss(inspection) else "")
     )
-    yield from _diagonals(inspection)
-    yield _verdict(inspection)
+    yield from _diagonals(inspection, unit)
+    yield _verdict(inspection, unit)
 
 
-def _side(inspection: Inspection, end: int) -> str:
+def _side(inspection: Inspection, end: int, unit: Unit) -> str:
     sides = ("inside", "outside") if inspection.curve.closed else ("right", "left")
-    return f"{inches(abs(inspection.centre[end]))} {sides[inspection.centre[end] > 0]}"
+    return f"{unit.error(inspection.centre[end])} {sides[inspection.centre[end] > 0]}"
 
 
-def _verdict(inspection: Inspection) -> str:
+def _verdict(inspection: Inspection, unit: Unit) -> str:
     furthest = inspection.furthest
-    guessed = " from the guessed nominal" if inspection.curve.guessed else ""
+    off = f"{unit.signed(furthest.error)} off nominal at most, {furthest.wall} wall, {furthest.place}"
+    if inspection.curve.guessed:
+        return f"no verdict, as the nominal is guessed: {off}"
     return (
         f"{'within' if inspection.within_tolerance else 'out of'} tolerance: "
         + ("not all of the curve is cut; " if inspection.uncut else "")
-        + f"{_signed(furthest.error)} at most, {furthest.wall} wall, {furthest.place}; "
-        f"{inches(inspection.tolerance)} is allowed{guessed}"
+        + f"{off}; {unit.error(inspection.tolerance)} is allowed"
     )
 
 
-def _readings(inspection: Inspection) -> Iterator[str]:
+def _readings(inspection: Inspection, unit: Unit) -> Iterator[str]:
     is_thesis = _is_the_thesiss(inspection)
     yield f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak" + (
         "   thesis" if is_thesis else ""
@@ -140,17 +146,17 @@ def _readings(inspection: Inspection) -> Iterator[str]:
     for reading in inspection.readings:
         figure = _DIAGONALS_1971 if is_thesis and _is_diagonal(reading) else ""
         line = (
-            f"{reading.place:14}{reading.wall:7}{_signed(reading.lowest):>9}{_signed(reading.highest):>9}"
-            f"{inches(reading.trough_to_peak):>16}   {figure}"
+            f"{reading.place:14}{reading.wall:7}{unit.signed(reading.lowest):>9}{unit.signed(reading.highest):>9}"
+            f"{unit.error(reading.trough_to_peak):>16}   {figure}"
         )
         yield line.rstrip()
 
 
-def _diagonals(inspection: Inspection) -> Iterator[str]:
+def _diagonals(inspection: Inspection, unit: Unit) -> Iterator[str]:
     """Yield the roughness at 45 degrees, where the steps are closest."""
     diagonal = [r.trough_to_peak for r in inspection.readings if _is_diagonal(r)]
     if diagonal:
-        yield f"at 45 degrees {inches(min(diagonal))} to {inches(max(diagonal))} in"
+        yield f"at 45 degrees {unit.error(min(diagonal))} to {unit.error(max(diagonal))} {unit.name}"
 
 
 def _is_diagonal(reading: Reading) -> bool:
@@ -160,7 +166,3 @@ def _is_diagonal(reading: Reading) -> bool:
 def _is_the_thesiss(inspection: Inspection) -> bool:
     """Whether this is the circle that the thesis measured: cut step-wise, by its cutter."""
     return inspection.stepwise and (inspection.curve, inspection.cutter) == THESIS_CIRCLE
-
-
-def _signed(deviation: float) -> str:
-    return f"{'-' if deviation < 0 else '+'}{inches(abs(deviation))}"

@@ -29,9 +29,11 @@ from typing import Annotated, Any
 
 from programs.arithmetic import EXACT, Arithmetic
 from programs.format import Overflow
+from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
-from programs.milling import AS_LISTED, SLOWEST, Milling
+from programs.milling import AS_LISTED, NO_CUTTER, SLOWEST, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
+from programs.profile import RoundSide, beside_oval
 from programs.stretches import Point, oval
 from programs.units import CODE, NUMBER, THOUSANDTHS
 from tapes.hydrapoint import Miscellaneous, Preparatory
@@ -44,21 +46,27 @@ def part(
     *,
     radius: Annotated[int, "RAD: radius of the cutter's path", THOUSANDTHS] = 1750,
     tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
-    outer: Annotated[float | None, "ARL: outer limit, else radius + tolerance", THOUSANDTHS] = None,
-    inner: Annotated[float | None, "ARS: inner limit, else radius - tolerance", THOUSANDTHS] = None,
+    outer: Annotated[
+        float | None, "ARL: outer limit, else radius + tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
+    inner: Annotated[
+        float | None, "ARS: inner limit, else radius - tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
     centre_x: Annotated[int, "X of the centre, 4000. in line 320", THOUSANDTHS] = 4000,
     centre_y: Annotated[int, "Y of the centre, 4000. in line 325", THOUSANDTHS] = 4000,
     start_x: Annotated[
-        int | None, "AX: first distance from the centre in X, else the radius", THOUSANDTHS
+        int | None, "AX: first distance from the centre in X, else the radius", THOUSANDTHS, NO_CUTTER
     ] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS] = 0,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS, NO_CUTTER] = 0,
     sequence: Annotated[int, "", NUMBER] = 7,
     preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
     x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,
     y_feed: Annotated[int, "", CODE] = Miscellaneous.Y_FEED,
     close: Annotated[
-        bool, "print the last point too, where the contour comes back to its start", *AS_LISTED
+        bool, "print the last point too, where the contour comes back to its start", *AS_LISTED, NO_CUTTER
     ] = False,
+    cutter: CutterOfSurface = None,
+    side: RoundSide = "outside",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     arithmetic: Annotated[Arithmetic, ""] = EXACT,
@@ -67,7 +75,8 @@ def part(
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
     `sequence` (AS) is the first sequence number, `preparatory` (AP) the contour's function, `x_feed`
-    (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y.
+    (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y. A path beside the surface is
+    not of the listing.
 
     Raises WorkError for parameters of no possible circle, and for a block that leaves the table.
     """
@@ -75,6 +84,9 @@ def part(
     inner = radius - tolerance if inner is None else inner
     start_x = radius if start_x is None else start_x
     check_band("radius", radius, inner, outer)
+    if cutter is not None:
+        path = beside_oval(centre_x, centre_y, radius, radius, cutter, side, tolerance)
+        return milling.printout(path, header, overflow)
     check_start(start_x, start_y, outer, outer)
     check_codes(sequence, preparatory, x_feed, y_feed)
     printout = Printout(overflow)

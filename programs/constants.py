@@ -49,6 +49,16 @@ class Constant(NamedTuple):
     needs: str = ""
     excludes: str = ""
 
+    @property
+    def spelling(self) -> str:
+        """The name as an option has it, without its dashes."""
+        return self.name.strip("_").replace("_", "-")
+
+    @property
+    def sentence(self) -> str:
+        """What it means, as a sentence of help."""
+        return f"{self.meaning[0].upper()}{self.meaning[1:]}."
+
     def keep(self, value: str) -> Any:
         """Return the value that the part program keeps for `value` as typed. Raises ValueError."""
         if self.unit is not None:

@@ -18,8 +18,10 @@ from typing import Annotated, Final, Literal
 from programs import ellipse
 from programs.arithmetic import EXACT, WHICH, Arithmetic
 from programs.format import Overflow
+from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
-from programs.milling import AS_LISTED, SLOWEST, Milling
+from programs.milling import AS_LISTED, NO_CUTTER, SLOWEST, Milling
+from programs.profile import RoundSide
 from programs.units import THOUSANDTHS
 
 AXES: Final = {"opening": (3000, 1500), "rounding": (3125, 1625), "groove": (3750, 2250)}
@@ -37,9 +39,11 @@ def part(
     tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
     centre_x: Annotated[int, "X of the centre", THOUSANDTHS] = 6000,
     centre_y: Annotated[int, "Y of the centre", THOUSANDTHS] = 4000,
+    cutter: CutterOfSurface = None,
+    side: RoundSide = "outside",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
-    arithmetic: Annotated[Arithmetic, WHICH, *AS_LISTED] = EXACT,
+    arithmetic: Annotated[Arithmetic, WHICH, *AS_LISTED, NO_CUTTER] = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of one of the die's three tapes; lengths are thousandths. Raises WorkError."""
@@ -49,6 +53,8 @@ def part(
         tolerance=tolerance,
         centre_x=centre_x,
         centre_y=centre_y,
+        cutter=cutter,
+        side=side,
         milling=milling,
         header=header,
         arithmetic=arithmetic,

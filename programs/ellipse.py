@@ -20,9 +20,11 @@ from typing import Annotated, Any, Final
 
 from programs.arithmetic import EXACT, WHICH, Arithmetic
 from programs.format import Overflow
+from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
-from programs.milling import AS_LISTED, Milling
+from programs.milling import AS_LISTED, NO_CUTTER, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
+from programs.profile import RoundSide, beside_oval
 from programs.stretches import Point, oval
 from programs.units import CODE, NUMBER, THOUSANDTHS
 from tapes.hydrapoint import Miscellaneous, Preparatory
@@ -39,32 +41,43 @@ def part(
     major: Annotated[int, "AC: semi-major axis, along X", THOUSANDTHS] = 3000,
     minor: Annotated[int, "BC: semi-minor axis, along Y", THOUSANDTHS] = 2250,
     tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
-    outer_major: Annotated[float | None, "AA: outer major limit, else major + tolerance", THOUSANDTHS] = None,
-    outer_minor: Annotated[float | None, "BB: outer minor limit, else minor + tolerance", THOUSANDTHS] = None,
-    inner_major: Annotated[float | None, "A: inner major limit, else major - tolerance", THOUSANDTHS] = None,
-    inner_minor: Annotated[float | None, "B: inner minor limit, else minor - tolerance", THOUSANDTHS] = None,
+    outer_major: Annotated[
+        float | None, "AA: outer major limit, else major + tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
+    outer_minor: Annotated[
+        float | None, "BB: outer minor limit, else minor + tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
+    inner_major: Annotated[
+        float | None, "A: inner major limit, else major - tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
+    inner_minor: Annotated[
+        float | None, "B: inner minor limit, else minor - tolerance", THOUSANDTHS, NO_CUTTER
+    ] = None,
     centre_x: Annotated[int, "CX: X of the centre", THOUSANDTHS] = 4000,
     centre_y: Annotated[int, "CY: Y of the centre", THOUSANDTHS] = 4000,
     start_x: Annotated[
-        int | None, "AX: first distance from the centre in X, else the major axis", THOUSANDTHS
+        int | None, "AX: first distance from the centre in X, else the major axis", THOUSANDTHS, NO_CUTTER
     ] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS] = 0,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS, NO_CUTTER] = 0,
     sequence: Annotated[int, "", NUMBER] = 6,
     preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
     x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,
     y_feed: Annotated[int, "", CODE] = Miscellaneous.Y_FEED,
     close: Annotated[
-        bool, "print the last point too, where the contour comes back to its start", *AS_LISTED
+        bool, "print the last point too, where the contour comes back to its start", *AS_LISTED, NO_CUTTER
     ] = False,
+    cutter: CutterOfSurface = None,
+    side: RoundSide = "outside",
     milling: Milling = MILLING,
     header: Header = THESIS,
-    arithmetic: Annotated[Arithmetic, WHICH, *AS_LISTED] = EXACT,
+    arithmetic: Annotated[Arithmetic, WHICH, *AS_LISTED, NO_CUTTER] = EXACT,
     overflow: Overflow = "low-digits",
 ) -> str:
     r"""Return the printout: a block is a line of 19 characters and "\n". Lengths are thousandths of an inch.
 
     `sequence` (AS) is the number before the first, `preparatory` (AP) the contour's function, `x_feed`
-    (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y.
+    (AMX) and `y_feed` (AMY) the miscellaneous function of a cut in X and in Y. A path beside the surface is
+    not of the listing.
 
     Raises WorkError for parameters of no possible ellipse, and for a block that leaves the table.
     """
@@ -75,6 +88,9 @@ def part(
     start_x = major if start_x is None else start_x
     check_band("semi-major axis", major, inner_major, outer_major)
     check_band("semi-minor axis", minor, inner_minor, outer_minor)
+    if cutter is not None:
+        path = beside_oval(centre_x, centre_y, major, minor, cutter, side, tolerance)
+        return milling.printout(path, header, overflow)
     check_start(start_x, start_y, outer_major, outer_minor)
     check_codes(sequence, preparatory, x_feed, y_feed)
     printout = Printout(overflow)

@@ -91,6 +91,12 @@ _WIDEST = 10
 """Inches: no cutter of the machine is wider."""
 
 
+def check_cutter(diameter: float) -> None:
+    """Raise WorkError for a cutter that the machine does not have."""
+    if not 0 < diameter <= _WIDEST:
+        raise WorkError(f"cutter of diameter {diameter:g} in: must be greater than 0, and {_WIDEST} at most")
+
+
 def offset_path(
     function: Callable[[float], float], where: Range, tolerance: float, cutter: float, side: str
 ) -> Curve:
@@ -98,8 +104,7 @@ def offset_path(
 
     Raises WorkError where the surface is tighter than the cutter, or the path too steep.
     """
-    if not 0 < cutter <= _WIDEST:
-        raise WorkError(f"cutter of diameter {cutter:g} in: must be greater than 0, and {_WIDEST} at most")
+    check_cutter(cutter)
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
     x1 = where.tabulated

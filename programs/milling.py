@@ -23,6 +23,8 @@ STEP, PIECE = "technique=step", "technique=piece"
 """What a constant of one technique needs."""
 AS_LISTED = (STEP, "not stop=inside")
 """What a constant of the listings' own method needs."""
+NO_CUTTER = "not cutter"
+"""What a constant needs that means nothing for a path beside the surface."""
 
 
 @dataclass(frozen=True)

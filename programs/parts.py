@@ -7,26 +7,28 @@ Sources: thesis, Chapter 3 and Chapters 6 to 8.
 
 from collections.abc import Mapping
 from importlib import import_module
+from inspect import signature
+from types import SimpleNamespace
 from typing import Any, Final, NamedTuple
 
 from programs.program import PartProgram
 from tapes.errors import WorkError
+from tapes.nominal import Nominal
+
+NO_VALUES: Final[Mapping[str, Any]] = {}
 
 
 class Part(NamedTuple):
-    """A part program: what it is, examples of its options, and what an inspection of the part needs.
+    """A part program: what it is, and examples of its options.
 
-    `nominal` is the curve for the cutter's centre as `nc.curves.nominal` takes it; empty where inspection
-    finds the curve by itself. `instrument` is the one that the thesis used, or None. `tolerance` (half the
-    band) and `cutter` (diameter) are inches. `file` is what a file may say in place of an expression.
+    `instrument` is the one with which the thesis measured the part, or None. `cutter` is the diameter that
+    its path was meant for, inches. `file` is what a file may contain in place of an expression.
     """
 
     name: str
     summary: str
     examples: tuple[str, ...]
-    nominal: Mapping[str, Any] = {}
     instrument: str | None = None
-    tolerance: float = 0.005
     cutter: float = 0.5
     has_defaults: bool = True
     file: str = ""
@@ -36,6 +38,18 @@ class Part(NamedTuple):
         program: PartProgram = import_module(f"programs.{self.name}").part
         return program
 
+    def nominal(self, values: Mapping[str, Any] = NO_VALUES) -> Nominal | None:
+        """Return the curve that the part follows for these arguments of its program, or None if it does not
+        follow a single curve. Raises WorkError for arguments of no possible curve.
+        """
+        from programs.nominals import NOMINALS
+
+        if self.name not in NOMINALS:
+            return None
+        defaults = {name: each.default for name, each in signature(self.program()).parameters.items()}
+        made = NOMINALS[self.name](SimpleNamespace(**{**defaults, **values}))
+        return made._replace(cutter=made.cutter or self.cutter) if made else None
+
 
 PARTS: Final = {
     part.name: part
@@ -44,21 +58,17 @@ PARTS: Final = {
             "circle",
             "The 4 in circle of Appendix C.",
             ("> circle.asc", "--radius 1 --tolerance 0.003", "--spindle 35 -o fast.asc"),
-            nominal={"circle": (4, 4, 1.75)},
             instrument="Talyrond",
         ),
         Part(
             "ellipse",
             "The 6 x 4 1/2 in ellipse of Appendix D.",
             ("> ellipse.asc", "--arithmetic ge635", "--minor 1.5 --technique piece"),
-            nominal={"ellipse": (4, 4, 3, 2.25)},
         ),
         Part(
             "polynomial",
             "The third degree polynomial of Chapters 6 and 7.",
             ("> polynomial.asc", "--b 1.5 --c 5 --to 5", "--cutter 0.5 --side above --technique piece"),
-            nominal={"function": "0.2*x*(x-2)*(x-6)", "origin": (4, 6), "range_": (-0.75, 6.25)},
-            tolerance=0.01,
         ),
         Part(
             "slope",
@@ -80,8 +90,8 @@ PARTS: Final = {
                 "outline.csv --cutter 0.25 --stop inside > outline.asc",
             ),
             has_defaults=False,
-            file="a file of the outline's points, x and y from the centre on each line, with straight lines "
-            "between them",
+            file="a file of the outline's points, x and y from the centre on each line, as a spreadsheet or "
+            "CAD program writes it, with straight lines between them",
         ),
         Part(
             "die",
@@ -97,9 +107,7 @@ PARTS: Final = {
             "fluidic",
             "The fluidic element of Chapter 8, with our outline.",
             ("> element.asc", "--program control --control 0.8", "--tolerance 0.005"),
-            nominal={"line": (6.17, 2.93, 6.59, 5.21)},
             instrument="Talysurf",
-            tolerance=0.003,
             cutter=0.125,
         ),
     )

@@ -49,7 +49,11 @@ def outline(text: str, tolerance: float) -> list[Place]:
 
     Raises WorkError for what is no closed line, and for points too far apart for `tolerance`.
     """
-    points = read(text)
+    return outlined(read(text), tolerance)
+
+
+def outlined(points: list[Place], tolerance: float) -> list[Place]:
+    """Return the same for points. Raises WorkError as `outline`."""
     if len(points) > _MOST:
         raise WorkError(f"{len(points):,} points: at most {_MOST:,} are allowed")
     for x, y in points:

@@ -20,7 +20,7 @@ from typing import Annotated, Literal
 
 from programs import points
 from programs.format import Overflow
-from programs.function import CutterOfSurface
+from programs.function import CutterOfSurface, check_cutter
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.points import Place, length, turn
@@ -31,12 +31,15 @@ from tapes.expression import LANGUAGE, function
 
 _PLACES = 1440
 _FURTHEST = 0.1
-"""Inches from place to place."""
+"""Inches by which the radius changes from place to place."""
 _LEFT = 1
 """Thousandths of an inch that a cutter may leave in a corner."""
 _STEP = radians(2)
 _FLAT = 1e-6
 """Thousandths of an inch; less along an axis is no way."""
+
+
+RoundSide = Annotated[Literal["outside", "inside"], "side of the surface that the cutter is on", "cutter"]
 
 
 def part(
@@ -48,9 +51,7 @@ def part(
     centre_x: Annotated[float, "X of the table where the centre is", INCHES] = 4.0,
     centre_y: Annotated[float, "Y of the table where the centre is", INCHES] = 4.0,
     cutter: CutterOfSurface = None,
-    side: Annotated[
-        Literal["outside", "inside"], "side of the profile that the cutter is on", "cutter"
-    ] = "outside",
+    side: RoundSide = "outside",
     milling: Milling = SLOWEST,
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
@@ -62,21 +63,40 @@ def part(
     edge = points.outline(expression, tolerance) if "\n" in expression else _polar(expression)
     across, up = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
     clockwise = [(1000 * x + across, 1000 * y + up) for x, y in reversed(edge)]
-    path = _offset(clockwise, 500 * (cutter or 0) * (1 if side == "outside" else -1))
-    return milling.printout(closed(path, tolerance_units(tolerance)), header, overflow)
+    curve = _beside(clockwise, cutter, side, tolerance_units(tolerance))
+    return milling.printout(curve, header, overflow)
+
+
+def beside_oval(x: int, y: int, major: int, minor: int, cutter: float, side: str, tolerance: float) -> Curve:
+    """Return the path of a cutter, inches across, round an ellipse about `x`, `y`; thousandths.
+
+    Raises WorkError as `part` does.
+    """
+    angles = [radians(360 * place / _PLACES) for place in range(_PLACES, 0, -1)]
+    edge = [(x + major * cos(angle), y + minor * sin(angle)) for angle in angles]
+    return _beside(edge, cutter, side, tolerance)
+
+
+def _beside(clockwise: list[Place], cutter: float | None, side: str, tolerance: float) -> Curve:
+    if cutter is None:
+        return closed(clockwise, tolerance)
+    check_cutter(cutter)
+    return closed(_offset(clockwise, 500 * cutter * (1 if side == "outside" else -1)), tolerance)
 
 
 def _polar(expression: str) -> list[Place]:
     """Return places of the profile r = `expression`, counterclockwise; inches. Raises WorkError."""
     radius = function(expression)
     edge: list[Place] = []
+    before = 0.0
     for place in range(_PLACES):
         angle = radians(360 * place / _PLACES)
         if not 0 < (r := radius(angle)) < 100:
             raise WorkError(f"at x = {angle:.3f} the radius is {r:g}: it has to be above 0 and on the table")
         edge.append((r * cos(angle), r * sin(angle)))
-        if place and length(edge[-2], edge[-1]) > _FURTHEST:
+        if place and abs(r - before) > _FURTHEST:
             raise WorkError(f"at x = {angle:.3f} the radius jumps to {r:g}")
+        before = r
     if abs(radius(radians(360)) - radius(0)) > _FURTHEST:
         raise WorkError(
             f"the profile is not closed: the radius is {radius(0):g} at 0, {radius(radians(360)):g} at 2 pi"
@@ -89,8 +109,6 @@ def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
 
     Raises WorkError where it goes back or crosses itself, and for a corner that the cutter does not reach.
     """
-    if not beside:
-        return [*edge]
     too_big = f"cutter of {abs(beside) / 500:g} in is too big: "
     path: list[Place] = []
     end = _about(edge[-2], edge[-1], edge[0], beside)[-1]

@@ -6,7 +6,8 @@
     FRACTION      a fraction, 0.2                          PERCENT
     CODE          a code of Table 2.3 or 2.4               CODE
 
-A command asks for each length in inches. Its decimal point is moved to what is kept: no digit is lost.
+A command asks for each length in inches. Its decimal point is moved to what is kept: no digit is lost. A
+length that ends in mm is converted.
 """
 
 from math import isfinite
@@ -14,6 +15,7 @@ from typing import Final, NamedTuple
 
 from tapes.errors import WorkError
 
+_MM = 25.4
 _THOUSANDTHS = 3
 """Decimal places from inches to thousandths."""
 
@@ -47,6 +49,8 @@ class Unit(NamedTuple):
         Raises UnitError.
         """
         text = text.removesuffix(self.short.strip())
+        if self.metavar == "INCHES" and text.endswith("mm"):
+            text = _plain(_moved(text.removesuffix("mm"), 0) / _MM)
         asked = _moved(text, 0)
         if asked and not self.least <= abs(asked) < self.limit:
             raise UnitError(self._refusal(text, asked))

@@ -1,27 +1,28 @@
 """`pdp8 nc`: list, cut, plot, inspect and export an EIA tape at the Hydra-Point."""
 
+import os
 from dataclasses import replace
 
 import click
-from click.core import ParameterSource
 
 from pdp8.cli.nc_options import (
-    CUTTER,
     PECK,
-    TOLERANCE,
+    Cutting,
     Feeds,
     Inches,
-    Nominal,
+    Metric,
+    Named,
     Tape,
     Times,
     Within,
     cut_so_far,
-    numbers,
+    lengths,
+    work,
 )
 from pdp8.cli.nc_options import cut as cut_tape
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Target, output
-from pdp8.cli.shared.rules import declared, option
+from pdp8.cli.shared.rules import declared, is_given, option, words
 from tapes.errors import naming
 from tapes.paper import PAPERS, sized, tiled
 
@@ -39,7 +40,7 @@ def nc() -> None:
       pdp8 nc cut circle.eia
       pdp8 nc plot circle.eia > circle.svg
       pdp8 nc inspect circle.eia --talyrond circle-talyrond.svg
-      pdp8 nc export circle.eia --gcode > circle.ngc
+      pdp8 nc export circle.eia -o circle.ngc
     """
 
 
@@ -100,16 +101,14 @@ def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
 
 @nc.command()
 @declared
-@CUTTER
-@TOLERANCE
 @click.option(
     "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
 )
 @click.option(
     "--at",
-    callback=numbers("X,Y"),
+    callback=lengths("X,Y"),
     metavar="X,Y",
-    help="Centre of the close view, inches; the current block by default.",
+    help="Centre of the close view; the current block by default.",
 )
 @click.option(
     "--zoom",
@@ -128,9 +127,9 @@ def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
 def plot(
     tape: Tape,
     feeds: Feeds,
-    nominal: Nominal,
-    cutter: float,
-    tolerance: float,
+    metric: Metric,
+    named: Named,
+    cutting: Cutting,
     block: int | None,
     at: tuple[float, float] | None,
     zoom: float,
@@ -146,36 +145,36 @@ def plot(
       pdp8 nc plot circle.eia --at 4,6 --zoom 15 -o wall.svg
       pdp8 nc plot circle.eia --paper a4 -o pages.svg
     """
+    from nc.inspection import followed
     from nc.plot import plot as drawing
 
-    path = cut_tape(tape, feeds.settings())
+    known = work(cut_tape(tape, feeds.settings()), tape, named, cutting, metric)
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
-        path,
-        nominal.curve_or_followed(path, cutter, tolerance),
+        known.path,
+        known.curve or followed(known.path, known.tolerance),
         block=block,
-        cutter=cutter,
-        tolerance=tolerance * 1000,
+        cutter=known.cutter,
+        tolerance=known.tolerance,
         zoom=(zoom, zoom),
         close_at=close_at,
+        unit=metric.unit,
     )
     command.put(output, tiled(text, paper) if paper else sized(text))
 
 
 @nc.command()
 @declared
-@CUTTER
-@TOLERANCE
 @click.option(
     "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
 )
 @click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
 @option(
     "--stretch",
-    callback=numbers("FROM,TO"),
+    callback=lengths("FROM,TO"),
     metavar="FROM,TO",
     needs="--talysurf",
-    help="Stretch of the curve for the Talysurf, in inches along it.",
+    help="Stretch of the curve for the Talysurf, along it.",
 )
 @click.pass_context
 def inspect(
@@ -183,24 +182,28 @@ def inspect(
     /,
     tape: Tape,
     feeds: Feeds,
-    nominal: Nominal,
-    cutter: float,
-    tolerance: float,
+    metric: Metric,
+    named: Named,
+    cutting: Cutting,
     talyrond: str | None,
     talysurf: str | None,
     stretch: tuple[float, float] | None,
 ) -> None:
     """Measure the walls that the cutter left against the nominal curve.
 
-    The default curve is the circle, ellipse or line that the milled path follows within .020 inch, or four
-    times --tolerance if that is more. Errors are inches, + is outward, or to the left; a place is within 10
-    degrees of an apex, 5 of 45 degrees.
+    The nominal curve is the one that an option names; or that of the .json which `pdp8 part -o` wrote beside
+    the tape; or that of the part program of the tape's name, if its blocks are the same. Where none is known,
+    the circle, ellipse or line is taken that the milled path follows: that is a guess, and gives no verdict.
 
-    Exit status with --tolerance: 0 both walls are within it, 1 one is not, or not all of the curve is cut.
+    Errors are inches, + is outward, or to the left; a place is within 10 degrees of an apex, 5 of 45 degrees.
+    With --side only the wall of the part is measured, without it both walls of the slot.
+
+    Exit status with --tolerance: 0 the walls are within it, 1 one is not, or not all of the curve is cut.
 
     \b
     Examples:
       pdp8 nc inspect circle.eia
+      pdp8 nc inspect cam.eia --profile '1.5+0.25*cos(x)' --side outside --cutter 0.25 --tolerance 0.002
       pdp8 nc inspect circle.eia --circle 4,4,1.75 --cutter 0.5 --talyrond talyrond.svg
       pdp8 nc inspect ellipse.eia --talysurf talysurf.svg --stretch 3,5
       pdp8 nc inspect sine.eia --function 'sin(x)' --range 0,6.283
@@ -208,8 +211,14 @@ def inspect(
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
-    path = cut_tape(tape, feeds.settings())
-    found = measure(path, nominal.curve(cutter), cutter, tolerance * 1000)
+    known = work(cut_tape(tape, feeds.settings()), tape, named, cutting, metric)
+    found = measure(known.path, known.curve, known.cutter, known.tolerance)
+    if cutting.tolerance is not None and found.curve.guessed:
+        raise click.UsageError(
+            f"--tolerance needs the nominal curve, and none is known of {tape.name}: name it by --circle, "
+            "--ellipse, --line, --function or --profile. "
+            f"Its path follows this: {found.curve.said(metric.unit)}."
+        )
     drawings = []
     if talyrond:
         from nc.talyrond import talyrond as polar
@@ -222,55 +231,57 @@ def inspect(
         drawings.append((talysurf, trace(found, part)))
     for name, text in drawings:
         command.put(name, text)
-    report = "\n".join(inspection_report(found))
+    report = "\n".join(inspection_report(found, known.source, metric.unit))
     if any(name == "-" for name, _ in drawings):
         command.tell(report)
     else:
         command.echo(report)
-    asked = ctx.get_parameter_source("tolerance") is ParameterSource.COMMANDLINE
-    ctx.exit(1 if asked and not found.within_tolerance else 0)
+    ctx.exit(1 if cutting.tolerance is not None and not found.within_tolerance else 0)
+
+
+_FORMATS = {".dxf": "DXF"} | dict.fromkeys((".ngc", ".nc", ".gcode", ".tap", ".cnc", ".gc"), "G-code")
+"""What the ending of a file's name says."""
 
 
 @nc.command()
 @declared
 @PECK
-@CUTTER
 @option(
     "--gcode",
     is_flag=True,
-    excludes="--circle --ellipse --line --function",
     help="G-code (RS-274) for today's mill: Z 0 is the top of the stock.",
 )
 @option(
     "--safe",
     type=Inches(0.001, 5),
     metavar="INCHES",
-    default=0.25,
-    show_default=True,
-    needs="--gcode",
-    excludes="--as-1971",
-    help="Height above the stock at which rapids go.",
+    excludes="--as-1971 --dxf",
+    help="Height above the stock at which rapids go.  [default: 0.25]",
 )
 @option(
     "--shift",
-    callback=numbers("X,Y"),
+    callback=lengths("X,Y"),
     metavar="X,Y",
-    needs="--gcode",
     excludes="--as-1971",
-    help="Added to the tape's X and Y, inches.",
+    help="Added to the tape's X and Y.",
+)
+@option(
+    "--tap",
+    type=Inches(0.001, 1),
+    metavar="INCHES",
+    excludes="--dxf",
+    help="Pitch of the tap, for a tape that taps and a floating tap holder; without it taps are refused.",
 )
 @option(
     "--tool-change",
     is_flag=True,
-    needs="--gcode",
-    excludes="--as-1971",
+    excludes="--as-1971 --dxf",
     help="Write tool changes and coolant, for LinuxCNC and others that have them.",
 )
 @option(
     "--as-1971",
     is_flag=True,
-    needs="--gcode",
-    excludes="--cutter",
+    excludes="--cutter --dxf",
     help="All that the machine did, parking and stops; Z 0 is the quill's top.",
 )
 @option(
@@ -279,47 +290,83 @@ def inspect(
     excludes="--gcode --peck",
     help="A drawing of the path (needs ezdxf, the extra `nc`).",
 )
+@option(
+    "--depth",
+    is_flag=True,
+    excludes="--gcode",
+    help="In the drawing, Z is the depth of the cut; without it the drawing is flat.",
+)
 @output(Target("text"))
+@click.pass_context
 def export(
+    ctx: click.Context,
+    /,
     tape: Tape,
     feeds: Feeds,
-    nominal: Nominal,
+    metric: Metric,
+    named: Named,
+    cutting: Cutting,
     peck: int,
-    cutter: float,
     gcode: bool,
-    safe: float,
+    safe: float | None,
     shift: tuple[float, float] | None,
+    tap: float | None,
     tool_change: bool,
     as_1971: bool,
     dxf: bool,
+    depth: bool,
     output: str,
 ) -> None:
-    """Write the path as G-code or DXF, in inches.
+    """Write the path as G-code or DXF. The ending of the file says which: .ngc, .nc, .gcode or .tap, or .dxf.
 
     \b
     Examples:
-      pdp8 nc export circle.eia --gcode > circle.ngc
-      pdp8 nc export circle.eia --gcode --shift=-2,-2 --safe 0.5 -o circle.ngc
-      pdp8 nc export circle.eia --dxf -o circle.dxf
+      pdp8 nc export circle.eia -o circle.ngc
+      pdp8 nc export circle.eia --gcode --shift=-2,-2 --safe 0.5 --mm > circle.ngc
+      pdp8 nc export circle.eia -o circle.dxf
     """
-    if not (gcode or dxf):
-        raise click.UsageError("give one of --gcode and --dxf")
+    made = _format(ctx, gcode, dxf, output)
     path = cut_tape(tape, replace(feeds.settings(), peck=peck))
-    if dxf:
+    known = work(path, tape, named, cutting, metric)
+    x, y = shift or (0, 0)
+    if made == "DXF":
         from nc.dxf import dxf as drawing
 
-        command.put(output, drawing(path, nominal.curve_or_followed(path, cutter), cutter))
+        with naming(tape.name):
+            text = drawing(
+                path, known.curve, known.cutter, shift=(1000 * x, 1000 * y), depth=depth, unit=metric.unit
+            )
+        command.put(output, text)
         return
+    from nc.gcode import Output
     from nc.gcode import gcode as program
     from nc.gcode_1971 import gcode_1971
 
-    x, y = shift or (0, 0)
-    lines = (
-        gcode_1971(path)
-        if as_1971
-        else program(
-            path, cutter=cutter, safe=safe * 1000, shift=(x * 1000, y * 1000), tool_change=tool_change
-        )
+    settings = Output(
+        known.cutter, 1000 * (safe or 0.25), (1000 * x, 1000 * y), tool_change, 1000 * (tap or 0), metric.unit
     )
+    lines = gcode_1971(path, settings.pitch, metric.unit) if as_1971 else program(path, settings)
     with naming(tape.name):
         command.put(output, "".join(f"{line}\n" for line in lines))
+
+
+def _format(ctx: click.Context, gcode: bool, dxf: bool, output: str) -> str:
+    """Return what is written, "G-code" or "DXF". Raises UsageError if nothing says so, or if words differ."""
+    ending = os.path.splitext(output)[1].lower()
+    asked = "G-code" if gcode else "DXF" if dxf else ""
+    made = asked or _FORMATS.get(ending, "")
+    if not made:
+        raise click.UsageError(
+            "give --gcode or --dxf, or a file whose name says so: -o FILE.ngc, -o FILE.dxf"
+        )
+    if _FORMATS.get(ending, made) != made:
+        raise click.UsageError(f"{output} is the name of {_FORMATS[ending]}, not of {made}")
+    barred = {
+        "DXF": ("peck", "safe", "tap", "tool_change", "as_1971"),
+        "G-code": ("depth", "circle", "ellipse", "line", "function"),
+    }
+    params = {param.name: param for param in ctx.command.params}
+    for name in barred[made]:
+        if is_given(ctx, params[name]):
+            raise click.UsageError(f"{words(params[name])[0]} is not for {made}.")
+    return made

@@ -1,22 +1,26 @@
 """The options that the `pdp8 nc` commands share: the tape and the machine, the cutter and the curve."""
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, get_args
 
 import click
 
-from pdp8 import shelf
+from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
 from pdp8.cli.shared.rules import option
-from tapes.errors import WorkError, named, naming
+from tapes.errors import WorkError, naming
+from tapes.errors import named as named_error
+from tapes.nominal import SIDES, Kind, Nominal
 
 if TYPE_CHECKING:
     from nc.curves import Curve
     from nc.machine import Settings
     from nc.path import Path
+    from nc.unit import Unit
 
 
 class Within(click.types.FloatParamType):
@@ -35,15 +39,61 @@ class Within(click.types.FloatParamType):
 
 
 class Inches(Within):
-    """A length in inches, with its unit or without, as `pdp8 part` takes it."""
+    """A length, with its unit or without: in inches, or millimetres with --mm."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
+        if not isinstance(value, str):
+            return super().convert(value, param, ctx)
+        number, unit = value.strip(), "mm" if _is_metric(ctx) else "in"
+        for each in ("in", "mm"):
+            if number.endswith(each):
+                number, unit = number.removesuffix(each), each
         try:
-            number = float(value.removesuffix("in") if isinstance(value, str) else value)
+            length = float(number)
         except ValueError:
-            self.fail(f"{value!r} is not a length in inches, such as .005 or .005in", param, ctx)
-        return super().convert(number, param, ctx)
+            self.fail(f"{value!r} is not a length, such as .005, .005in or 0.127mm", param, ctx)
+        return super().convert(length / _MM if unit == "mm" else length, param, ctx)
+
+
+_MM = 25.4
+
+
+def _is_metric(ctx: click.Context | None) -> bool:
+    return bool(ctx and ctx.params.get("mm"))
+
+
+def lengths(names: str) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
+    """Return a callback that reads lengths separated by commas, and returns them in inches."""
+    read = numbers(names)
+
+    def inches(ctx: click.Context, param: click.Parameter, value: str | None) -> tuple[float, ...] | None:
+        found = read(ctx, param, value)
+        return tuple(each / _MM for each in found) if found and _is_metric(ctx) else found
+
+    return inches
+
+
+@dataclass(frozen=True)
+class Metric:
+    """The unit of lengths that are given and written."""
+
+    mm: Annotated[
+        bool,
+        option(
+            "--mm",
+            is_flag=True,
+            is_eager=True,
+            help="Lengths are millimetres, given and written; those of an expression stay inches.",
+        ),
+    ]
+
+    @property
+    def unit(self) -> "Unit":
+        """The unit."""
+        from nc.unit import INCH, MM
+
+        return MM if self.mm else INCH
 
 
 def numbers(
@@ -147,26 +197,26 @@ class Times:
 
 
 @dataclass(frozen=True)
-class Nominal:
-    """The curve that the cutter's centre should follow, if one is named; lengths are inches."""
+class Named:
+    """The nominal curve, if options name one; lengths are inches."""
 
     circle: Annotated[
         tuple[float, ...] | None,
         option(
             "--circle",
-            callback=numbers("X,Y,RADIUS"),
+            callback=lengths("X,Y,RADIUS"),
             metavar="X,Y,RADIUS",
-            excludes="--ellipse --line --function",
-            help="Nominal curve of the cutter's centre, inches.",
+            excludes="--ellipse --line --function --profile",
+            help="Nominal curve: the path of the cutter's centre, or with --side the part's surface.",
         ),
     ]
     ellipse: Annotated[
         tuple[float, ...] | None,
         option(
             "--ellipse",
-            callback=numbers("X,Y,A,B"),
+            callback=lengths("X,Y,A,B"),
             metavar="X,Y,A,B",
-            excludes="--line --function",
+            excludes="--line --function --profile",
             help="The same, with semi-axes along X and Y.",
         ),
     ]
@@ -174,10 +224,10 @@ class Nominal:
         tuple[float, ...] | None,
         option(
             "--line",
-            callback=numbers("X1,Y1,X2,Y2"),
+            callback=lengths("X1,Y1,X2,Y2"),
             metavar="X1,Y1,X2,Y2",
-            excludes="--function",
-            help="The same, from one place to another.",
+            excludes="--function --profile",
+            help="Path of the cutter's centre, from one place to another.",
         ),
     ]
     function: Annotated[
@@ -186,19 +236,28 @@ class Nominal:
             "--function",
             metavar="EXPRESSION",
             needs="--range",
-            help="The same: y as a function of x, as `pdp8 part curve` has it.",
+            excludes="--profile",
+            help="Nominal curve: y as a function of x, as `pdp8 part curve` has it.",
+        ),
+    ]
+    profile: Annotated[
+        str | None,
+        option(
+            "--profile",
+            type=Source(),
+            metavar="EXPRESSION|FILE",
+            help="Nominal curve, as `pdp8 part profile` has it: the radius as a function of the angle, a "
+            "file of points, or the .json that was written beside a tape.",
         ),
     ]
     origin: Annotated[
-        tuple[float, float],
+        tuple[float, float] | None,
         option(
             "--origin",
-            callback=numbers("X,Y"),
+            callback=lengths("X,Y"),
             metavar="X,Y",
-            default="4,5",
-            show_default=True,
-            needs="--function",
-            help="Origin of --function on the table, inches.",
+            needs="--function --profile",
+            help="Where x and y are 0 on the table.  [default: 4,5 in; the centre of a profile: 4,4 in]",
         ),
     ]
     range_: Annotated[
@@ -213,36 +272,120 @@ class Nominal:
         ),
     ]
     side: Annotated[
-        Literal["above", "below"] | None,
+        str,
         option(
             "--side",
-            type=click.Choice(["above", "below"]),
-            needs="--function",
-            help="The function is the surface, and the cutter is on this side, as `pdp8 part curve` has it.",
+            type=click.Choice(["above", "below", "outside", "inside"]),
+            callback=lambda _, __, side: side or "",
+            needs="--function --profile --circle --ellipse",
+            help="The curve is the part's surface, and the cutter is on this side of it.",
         ),
     ]
 
-    def curve(self, cutter: float) -> "Curve | None":
-        """Return the curve of the cutter's centre, for a cutter of so many thousandths, if one is named."""
-        from nc.curves import nominal
+    def nominal(self, mm: bool) -> Nominal | None:
+        """Return the curve that the options name, or None. Raises UsageError and WorkError."""
+        places = {"line": self.line, "circle": self.circle, "ellipse": self.ellipse}
+        kind: Kind
+        for kind in get_args(Kind):
+            numbers, expression = places.get(kind), ""
+            if kind == "function" and self.function is not None:
+                numbers, expression = (*(self.origin or (4, 5)), *(self.range_ or ())), self.function
+            if kind == "profile" and self.profile is not None:
+                numbers, expression = self.origin or (4, 4), self.profile
+            if numbers is None:
+                continue
+            if self.side not in ("", *SIDES[kind]):
+                raise click.UsageError(f"--side of a --{kind} is {' or '.join(SIDES[kind])}.")
+            named = Nominal(kind, numbers, expression, side=self.side)
+            return self._of_file(named, mm) if kind == "profile" and shelf.has(expression) else named
+        return None
 
-        radius = cutter / 2000
+    def _of_file(self, named: Nominal, mm: bool) -> Nominal:
+        """Return the curve of a file of points, or of one that `pdp8 part` wrote beside a tape."""
+        from programs import points, table
 
-        return nominal(
-            circle=self.circle,
-            ellipse=self.ellipse,
-            line=self.line,
-            function=self.function,
-            origin=self.origin,
-            range_=self.range_,
-            beside={None: 0.0, "above": radius, "below": -radius}[self.side],
-        )
+        name = named.expression
+        content = shelf.read(name)
+        with naming(name):
+            text = content.decode("utf-8", "replace")
+            if not companion.is_one(text):
+                corners = points.outlined(table.read(content, mm).places, named.tolerance)
+                return named._replace(expression="", points=tuple(corners), source=name)
+            if self.side or self.origin:
+                raise click.UsageError(f"{name} says the side and the place: leave out --side and --origin.")
+            return companion.read(text)[0]._replace(source=name)
 
-    def curve_or_followed(self, path: "Path", cutter: float, tolerance: float = 0.005) -> "Curve | None":
-        """Return the curve that is named, or else the one that the path follows, or None."""
-        from nc.inspection import followed
 
-        return self.curve(cutter) or followed(path, tolerance * 1000)
+@dataclass(frozen=True)
+class Cutting:
+    """The cutter, and how far a wall may be off; None: as the nominal curve has it."""
+
+    cutter: Annotated[
+        float | None,
+        option(
+            "--cutter",
+            type=Inches(0, 10, above=True),
+            metavar="INCHES",
+            help="Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
+        ),
+    ]
+    tolerance: Annotated[
+        float | None,
+        option(
+            "--tolerance",
+            type=Inches(0, 1, above=True),
+            metavar="INCHES",
+            help="The most that a wall may be off nominal, either way; half the width of the band.  "
+            "[default: that of the nominal curve, or 0.005]",
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class Work:
+    """A path with the nominal curve that is known of it; cutter and tolerance in thousandths."""
+
+    path: "Path"
+    curve: "Curve | None"
+    cutter: float
+    tolerance: float
+    source: str
+
+
+def work(path: "Path", tape: Tape, named: Named, cutting: Cutting, metric: Metric) -> Work:
+    """Return the path with the curve that options name, or that the tape was made for. Raises WorkError."""
+    from nc.curves import curve
+
+    nominal = named.nominal(metric.mm) or _made_for(tape.name, path)
+    known = nominal or Nominal("line", ())
+    across = 1000 * (cutting.cutter or known.cutter)
+    return Work(
+        path,
+        curve(nominal, across) if nominal else None,
+        across,
+        1000 * (cutting.tolerance or known.tolerance),
+        known.source,
+    )
+
+
+def _made_for(tape: str, path: "Path") -> Nominal | None:
+    """Return the curve of the file beside a tape, or of the part program of its name, if the blocks agree."""
+    from programs.parts import PARTS
+
+    blocks = companion.digest(block.digits for block in path.blocks)
+    name = companion.beside(tape)
+    if tape != "-" and os.path.isfile(name) and companion.is_one(text := shelf.read_text(name)):
+        with naming(name):
+            nominal, of = companion.read(text)
+        if of == blocks:
+            return nominal._replace(source=f"{name}, {nominal.source}")
+        command.say(f"{name} is of another tape, its blocks differ: not used (--profile {name} would)")
+    stem = os.path.splitext(os.path.basename(tape))[0]
+    part = PARTS.get(stem)
+    if part and part.has_defaults and companion.digest(part.program()().splitlines()) == blocks:
+        followed = part.nominal()
+        return followed and followed._replace(source=f"pdp8 part {stem}")
+    return None
 
 
 PECK = option(
@@ -253,25 +396,6 @@ PECK = option(
     default=0.1,
     show_default=True,
     help="Depth the drill goes between two withdrawals; not in the thesis.",
-)
-
-CUTTER = option(
-    "--cutter",
-    type=Inches(0, 10, above=True),
-    callback=lambda _, __, inches: inches * 1000,
-    metavar="INCHES",
-    default=0.5,
-    show_default=True,
-    help="Diameter of the cutter.",
-)
-
-TOLERANCE = option(
-    "--tolerance",
-    type=Inches(0, 1, above=True),
-    metavar="INCHES",
-    default=0.005,
-    show_default=True,
-    help="The most that a wall may be off nominal, either way; half the width of the band.",
 )
 
 
@@ -296,4 +420,4 @@ def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", 
             complaint = WorkError(diagnosis.explain(frames, error))
             if not error.path:
                 raise complaint from error
-            return error.path, named(tape.name, complaint)
+            return error.path, named_error(tape.name, complaint)

@@ -1,11 +1,12 @@
 """`pdp8 part`: each part program as a command whose options are its constants."""
 
+import os
 from itertools import zip_longest
 from typing import Any, Literal
 
 import click
 
-from pdp8 import shelf
+from pdp8 import companion, shelf
 from pdp8.cli import part_options
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Group, Source, Target, output
@@ -15,6 +16,7 @@ from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, eia
+from tapes.nominal import Nominal
 from tapes.text import lines_of
 
 _SETTINGS = {"max_content_width": 100}
@@ -59,22 +61,30 @@ _FEWEST = Option(
 )
 
 
+_MM = Option(["--mm"], is_flag=True, help="The points of the file are millimetres.")
+
+
 def _command(part: Part) -> click.Command:
     program = part.program()
 
-    def punch(*, output: str, fewest: bool = False, **values: Any) -> None:
+    def punch(*, output: str, fewest: bool = False, mm: bool = False, **values: Any) -> None:
+        source = values.get("expression", "")
         if fewest:
             text = eia.decode(shelf.read_bundled(f"{part.name}-fewest.eia"))
         elif part.file:
-            text = _from_file(part, values)
+            text, values = _from_file(part, values, mm)
         else:
             text = program(**arguments(program, values))
         command.put(output, ascii.encode(text))
+        if output != "-" and (nominal := part.nominal(arguments(program, values))):
+            _put_beside(output, nominal._replace(source=f"pdp8 part {part.name} {source}".strip()), text)
 
     made = Command(
         part.name,
         callback=punch,
-        params=part_options.parameters(program, bool(part.file)) + [_FEWEST] * (part.name in _PROVED),
+        params=part_options.parameters(program, bool(part.file))
+        + [_FEWEST] * (part.name in _PROVED)
+        + [_MM] * bool(part.file),
         help=_help(
             f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip()
             + f" It may also be {part.file}." * bool(part.file),
@@ -85,22 +95,44 @@ def _command(part: Part) -> click.Command:
     return output(Target("tape"))(made)
 
 
-def _from_file(part: Part, values: dict[str, Any]) -> str:
-    """Return the printout for an expression, or for what the file says that it names."""
-    from tapes import convert
+def _put_beside(tape: str, nominal: Nominal, text: str) -> None:
+    """Write the nominal curve beside a tape, for `pdp8 nc`, unless a file is there that is none."""
+    name = companion.beside(tape)
+    if os.path.exists(name) and not (os.path.isfile(name) and companion.is_one(shelf.read_text(name))):
+        command.say(f"{name} is there, and is no nominal curve: it is kept, and `pdp8 nc` needs --profile")
+        return
+    command.put(name, companion.written(nominal, text))
+
+
+def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[str, Any]]:
+    """Return the printout for an expression, or for the points of the file that it names, with the values
+    that it was made of.
+    """
     from tapes.errors import WorkError, naming
 
     program, given = part.program(), values["expression"]
     if given == "-" or shelf.has(given):
-        content = shelf.read(given)
         with naming(given):
-            return program(**arguments(program, values | {"expression": convert.typed(content) + "\n"}))
+            lines = (f"{x!r},{y!r}\n" for x, y in _points(given, mm))
+            values = values | {"expression": "".join(lines)}
+            return program(**arguments(program, values)), values
+    if mm:
+        raise click.UsageError("--mm is for a file of points, and an expression is in inches.")
     try:
-        return program(**arguments(program, values))
+        return program(**arguments(program, values)), values
     except WorkError as error:
         if "." in given and given.rpartition(".")[2].isalpha():
             raise WorkError(f"{given}: there is no such file") from error
         raise
+
+
+def _points(name: str, mm: bool) -> list[tuple[float, float]]:
+    """Return the points of a file, inches, and say what was skipped or assumed."""
+    from programs import table
+
+    found = table.read(shelf.read(name), mm)
+    command.say_of(name, found.notes)
+    return found.places
 
 
 _ARITHMETIC = click.Choice(list(ARITHMETICS))
@@ -141,11 +173,12 @@ def compare(name: str, arithmetic: str, other: str) -> None:
     show_default=True,
     help="Of the polynomial.",
 )
-def fit(points: str, degree: int) -> None:
+@click.option("--mm", is_flag=True, help="The points are millimetres; the polynomial is for inches.")
+def fit(points: str, degree: int, mm: bool) -> None:
     """Reduce measured points to a polynomial by least squares, for `pdp8 part curve`.
 
-    POINTS is a file with x and y of a point on each line, inches. The polynomial goes to standard output, its
-    greatest distance from a point to standard error.
+    POINTS is a file with x and y of a point on each line, as a spreadsheet or CAD program writes it. The
+    polynomial goes to standard output, its greatest distance from a point to standard error.
 
     \b
     Examples:
@@ -153,13 +186,10 @@ def fit(points: str, degree: int) -> None:
       pdp8 part curve "$(pdp8 part fit points.txt)" --to 4 -o curve.asc
     """
     from programs import least_squares
-    from programs.points import read
-    from tapes import convert
     from tapes.errors import naming
 
-    content = shelf.read(points)
     with naming(points):
-        found = least_squares.fit(read(convert.typed(content)), degree)
+        found = least_squares.fit(_points(points, mm), degree)
     command.echo(found.expression)
     command.tell(f"at most {found.worst:.4f} in from a point")
 

@@ -42,25 +42,15 @@ def explained(program: PartProgram) -> str:
     )
 
 
-def spelling(constant: Constant) -> str:
-    """Return the name of the option, without its dashes."""
-    return constant.name.strip("_").replace("_", "-")
-
-
-def sentence(constant: Constant) -> str:
-    """Return what the constant means, as a sentence of help."""
-    return f"{constant.meaning[0].upper()}{constant.meaning[1:]}."
-
-
 def _parameter(constant: Constant, file: bool) -> click.Parameter:
     if constant.default is REQUIRED:
         return click.Argument([constant.name], type=Source() if file else str)
-    names = [f"--{spelling(constant)}", constant.name]
+    names = [f"--{constant.spelling}", constant.name]
     needs, excludes = (
         " ".join(f"--{word}" for word in words.split()) for words in (constant.needs, constant.excludes)
     )
     if constant.flag:
-        return Option(names, needs, excludes, is_flag=True, default=constant.default, help=sentence(constant))
+        return Option(names, needs, excludes, is_flag=True, default=constant.default, help=constant.sentence)
     kind = click.Choice(constant.choices) if constant.choices else Typed(constant)
     return Option(
         names,
@@ -70,5 +60,5 @@ def _parameter(constant: Constant, file: bool) -> click.Parameter:
         default=constant.ask(constant.default),
         show_default=constant.default is not None,
         metavar=None if constant.choices else kind.name,
-        help=sentence(constant),
+        help=constant.sentence,
     )

@@ -2,8 +2,7 @@
 
 from collections.abc import Callable
 
-from nc.curves import nominal
-from nc.inspection import Inspection, inspect
+from nc.inspection import Inspection, against
 from nc.path import Path
 from pdp8 import shelf
 from pdp8.replay.day import PROGRAMS, Act, Day, Judgement
@@ -26,11 +25,11 @@ class Afternoon(Day):
 
     def _measured(self, path: Path) -> Judgement:
         """Measure the walls that a path leaves."""
-        made = self.made
+        made, nominal = self.made, self.made.nominal()
+        if nominal is None:
+            return Judgement("Inspection", "Not inspected: this part follows no curve.", "not inspected")
         try:
-            self.inspection = inspect(
-                path, nominal(**made.nominal), made.cutter * 1000, made.tolerance * 1000
-            )
+            self.inspection = against(path, nominal)
         except WorkError as error:
             return Judgement("Inspection", f"Not inspected: {error}.", "not inspected")
         worst = self.inspection.worst

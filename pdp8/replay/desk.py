@@ -37,11 +37,12 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
         tape = afternoon.tapes[name]
         yield f"{name}.svg", picture.svg(tape, {"asc": "ascii", "eia": "eia"}[code], 0, PICTURED)
     inspection, made = afternoon.inspection, afternoon.made
-    curve = inspection.curve if inspection else None
-    yield (
-        f"{part}.svg",
-        plot(afternoon.path, curve, cutter=made.cutter * 1000, tolerance=made.tolerance * 1000),
-    )
+    if inspection:
+        cutter, tolerance = inspection.cutter, inspection.tolerance
+        drawing = plot(afternoon.path, inspection.curve, cutter=cutter, tolerance=tolerance)
+    else:
+        drawing = plot(afternoon.path)
+    yield f"{part}.svg", drawing
     if inspection:
         draw = talyrond if inspection.curve.closed else talysurf
         yield f"{(made.instrument or 'inspection').lower()}.svg", draw(inspection)

@@ -3,9 +3,10 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from nc.inspection import Inspection, inspect
+from nc.inspection import Inspection, against
 from pdp8.replay.implied import SLOWEST, machined
 from programs import circle
+from programs.parts import PARTS
 from programs.thesis import THESIS, Thesis
 from tapes.hydrapoint import FEED_TOLERANCE, Preparatory
 from tapes.quantities import inches
@@ -53,13 +54,14 @@ def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | N
     """Yield the walls' errors, trough to peak, and of the circle those with its contour closed."""
     if afternoon.inspection is None:
         return
-    yield "inches off at most", said.worst, _worst(afternoon.inspection)
-    if afternoon.part == "circle":
-        closed = inspect(machined(circle.part(close=True)))
-        yield "  with one block that closes the contour", said.worst, _worst(closed)
+    gap = afternoon.inspection.gap
+    yield "trough to peak at most, in", None if gap else said.worst, _worst(afternoon.inspection)
+    if afternoon.part == "circle" and (nominal := PARTS["circle"].nominal()):
+        closed = against(machined(circle.part(close=True)), nominal)
+        yield f"  the listing ends {inches(gap)} in short of its start; closed", said.worst, _worst(closed)
     for name, thesis, mark in (
-        ("inches off at +X +Y -X -Y", None, "apex"),
-        ("inches off at 45°", said.diagonals, "45°"),
+        ("trough to peak at +X +Y -X -Y", None, "apex"),
+        ("trough to peak at 45°", said.diagonals, "45°"),
     ):
         for wall in ("outer", "inner"):
             spans = [

@@ -13,12 +13,20 @@ from pdp8 import shelf
 from programs import parts
 from programs.milling import Milling
 from tapes import ascii, eia
+from tapes.nominal import Nominal
 
 
 @cache
 def printout(part: str, **constants: Any) -> str:
     """Return what the part program prints."""
     return parts.find(part).program()(**constants)
+
+
+def nominal(part: str) -> Nominal:
+    """Return the curve that a part follows, which has one."""
+    found = parts.find(part).nominal()
+    assert found, part
+    return found
 
 
 @cache

@@ -16,8 +16,8 @@ from typing import Any, Final, NamedTuple
 
 import nc
 from nc import talysurf
-from nc.curves import nominal
-from nc.inspection import Reading, inspect
+from nc.curves import curve
+from nc.inspection import Reading, against
 from nc.machine import READ_SECONDS
 from pdp8.replay.implied import LINE_SECONDS
 from pdp8.thesis import chain, evidence, slopes, tables, work
@@ -300,7 +300,7 @@ def _of_part(part: str) -> _Groups:
 
 def _parts() -> _Groups:
     """Chapters 7 and 10: circle, ellipse, die and polynomial."""
-    polynomial, passes, axes = PARTS["polynomial"], tables.PASSES["die"], die.AXES["opening"]
+    polynomial, passes, axes = chain.nominal("polynomial"), tables.PASSES["die"], die.AXES["opening"]
     crossings = [0.0, _default("polynomial", "b"), _default("polynomial", "c")]
     legible = re.search(r"^355 ARS=(\d+)", _listing("circle.for"), re.MULTILINE)
     centre = (int(legible[1]) if legible else 0) + _default("circle", "tolerance")
@@ -357,7 +357,7 @@ def _elements() -> _Groups:
             "element arcs": arcs,
             "channel slopes": 2 * len(work.oblique(channel)),
             "element cutter": cutter,
-            "element tolerance": PARTS["fluidic"].tolerance,
+            "element tolerance": chain.nominal("fluidic").tolerance,
             "downstream": find("8.3").given["control"],
             "talysurf division": talysurf.DIVISION / 1000,
         },
@@ -390,17 +390,16 @@ def _minutes(path: nc.Path) -> float:
 @cache
 def _readings(place: str) -> list[Reading]:
     """Return the readings of the circle's walls there, as its listing has it."""
-    readings = inspect(chain.path("circle")).readings
+    readings = against(chain.path("circle"), chain.nominal("circle")).readings
     return [reading for reading in readings if place in reading.place]
 
 
 def _band_height() -> float:
     """Return the height of the polynomial's band, thousandths."""
-    part = PARTS["polynomial"]
-    curve = nominal(**part.nominal)
-    assert curve
-    stations = curve.stations(2)
-    low, high = (curve.limit(stations, side * 1000 * part.tolerance) for side in (-1, 1))
+    nominal = chain.nominal("polynomial")
+    polynomial = curve(nominal, 0)
+    stations = polynomial.stations(2)
+    low, high = (polynomial.limit(stations, side * 1000 * nominal.tolerance) for side in (-1, 1))
     return float(high[0, 1] - low[0, 1])
 
 

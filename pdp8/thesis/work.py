@@ -10,14 +10,14 @@ from random import Random
 from typing import Final
 
 import nc
-from nc.curves import StraightLine, nominal
-from nc.inspection import inspect
+from nc.curves import StraightLine, curve
+from nc.inspection import against, inspect
 from nc.path import MoveKind, Position
 from nc.plot import plot
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.thesis import chain
-from programs import fluidic, parts
+from programs import fluidic
 
 _CUTTER = 125
 _AXIS_X, _BASE_Y = 6.0, 0.25
@@ -30,10 +30,10 @@ _BACKGROUND: Final = 1.2
 
 def part(name: str, close_at: tuple[float, float], zoom: tuple[float, float]) -> str:
     """Figures 7.1, 7.3 and 7.5: a slot; its close view is about `close_at`, `zoom` its scales of X and Y."""
-    about = parts.find(name)
-    path, band = chain.path(name), 1000 * about.tolerance
-    curve = nominal(**about.nominal)
-    return plot(path, curve, cutter=1000 * about.cutter, tolerance=band, close_at=close_at, zoom=zoom)
+    nominal = chain.nominal(name)
+    cutter, band = 1000 * nominal.cutter, 1000 * nominal.tolerance
+    path, followed = chain.path(name), curve(nominal, cutter)
+    return plot(path, followed, cutter=cutter, tolerance=band, close_at=close_at, zoom=zoom)
 
 
 def die_tape() -> bytes:
@@ -47,9 +47,10 @@ def die_tape() -> bytes:
 
 def polar_graphs() -> list[str]:
     """Figure 7.2: two circles cut by the same tape, that of the listing with the block that closes it."""
-    path, curve = chain.path("circle", close=True), nominal(**parts.find("circle").nominal)
+    path = chain.path("circle", close=True)
     names = ("First circle", "Second circle, same tape")
-    return [talyrond(inspect(cut_again(path, seed), curve), name=name) for seed, name in enumerate(names, 1)]
+    measured = (against(cut_again(path, seed), chain.nominal("circle")) for seed in (1, 2))
+    return [talyrond(found, name=name) for found, name in zip(measured, names, strict=True)]
 
 
 def cut_again(path: nc.Path, seed: int) -> nc.Path:
@@ -81,10 +82,10 @@ def straight_surface() -> str:
 def sloped_surface() -> str:
     """Figure 8.5: half an inch of a wall that was milled step-wise, a slope of the element."""
     x1, y1, x2, y2 = wall()
-    band = parts.find("fluidic").tolerance
+    band = chain.nominal("fluidic").tolerance
     path = chain.path("slope", from_x=x1, from_y=y1, to_x=x2, to_y=y2, tolerance=band)
-    curve = StraightLine(*(1000 * place for place in (x1, y1, x2, y2)))
-    measured = inspect(path, curve, cutter=_CUTTER, tolerance=1000 * band)
+    line = StraightLine(*(1000 * place for place in (x1, y1, x2, y2)))
+    measured = inspect(path, line, cutter=_CUTTER, tolerance=1000 * band)
     start = 0.3 * float(measured.walls.stations.along[-1])
     return talysurf(measured, (start, start + 500), background=_BACKGROUND)
 
@@ -103,7 +104,7 @@ def oblique(segments: Iterable[fluidic.Segment]) -> list[fluidic.Slope]:
 
 def element(control: float) -> str:
     """Figures 8.2 and 8.3: the element, its control channels so many inches from the power jet's exit."""
-    about = parts.find("fluidic")
+    about = chain.nominal("fluidic")
     x1, y1, x2, y2 = (1000 * place for place in wall())
     return plot(
         chain.path("fluidic", control=control),

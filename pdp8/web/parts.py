@@ -9,7 +9,6 @@ from dataclasses import is_dataclass
 from html import escape
 from typing import Any, get_type_hints
 
-from pdp8.cli.part_options import sentence, spelling
 from pdp8.web.translator import MODULES
 from programs.constants import REQUIRED, Constant, constants
 from programs.parts import PARTS, Part
@@ -45,12 +44,12 @@ def _declared(part: Part) -> dict[str, Any]:
 
 def _option(constant: Constant) -> dict[str, Any]:
     found: dict[str, Any] = {
-        "name": constant.name, "required": constant.default is REQUIRED, "help": sentence(constant)
+        "name": constant.name, "required": constant.default is REQUIRED, "help": constant.sentence
     }  # fmt: skip
     if constant.default is not REQUIRED:
         found |= {
             "default": constant.ask(constant.default),
-            "spelling": spelling(constant),
+            "spelling": constant.spelling,
             "flag": constant.flag,
         }
     found |= {"choices": list(constant.choices), "places": constant.places}

@@ -84,7 +84,7 @@ def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
     }
     if inspection is not None:
         curve = inspection.curve
-        tolerance = PARTS[done.part].tolerance * 1000
+        tolerance = inspection.tolerance
         sides = {"inner": -tolerance, "nominal": 0, "outer": tolerance}
         found["band"] = {name: _limit(curve, off) for name, off in sides.items()}
         found["wall"] = _wall(inspection)

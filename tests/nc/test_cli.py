@@ -1,14 +1,13 @@
 """`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
 
 import re
-from dataclasses import replace
 
 import pytest
 from click.testing import CliRunner
 
 from nc.curves import Ellipse, Graph
 from nc.dxf import dxf
-from nc.gcode import gcode
+from nc.gcode import Output, gcode
 from nc.gcode_1971 import gcode_1971
 from nc.inspection import inspect
 from nc.machine import cut
@@ -76,21 +75,18 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
 def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:
     """A circle without its last block, as 1971 had it, and one that is closed and stops at its limits."""
     done = shell("pdp8 nc inspect circle.eia --tolerance 0.0001")
-    verdict = (
-        b"out of tolerance: -.0114 at most, outer wall, -X apex; .0001 is allowed from the guessed nominal\n"
-    )
+    verdict = b"out of tolerance: -.0114 off nominal at most, outer wall, -X apex; .0001 is allowed\n"
     assert (done.returncode, done.stderr, done.stdout.endswith(verdict)) == (1, b"", True)
-    made = "pdp8 part circle --stop inside | pdp8 run eia.pal --quiet | pdp8 nc inspect"
-    assert product(shell, made).splitlines()[-1].startswith("within tolerance: +.0050 at most, ")
+    made = "pdp8 part circle --stop inside | pdp8 run eia.pal --quiet | pdp8 nc inspect --circle 4,4,1.75"
+    assert product(shell, made).splitlines()[-1].startswith("within tolerance: +.0050 off nominal at most, ")
     assert shell(f"{made} --tolerance 0.0049").returncode == 1
 
 
 def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
     path, around = cut(CIRCLE), Ellipse(4000, 4000, 1750, 1750)
-    guessed = replace(around, guessed=True)
     options = "--block 100 --cutter .25in --tolerance .01in --zoom 8 --at 4,5.735"
     for named, curve in (
-        ("", guessed),
+        ("", around),
         ("--circle 4,4,1.75", around),
         ("--function x*x --range 0,1", Graph(4000, 5000, "x*x", 0, 1)),
         ("--function x*x --range 0,1 --origin 3,6", Graph(3000, 6000, "x*x", 0, 1)),
@@ -106,7 +102,7 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
         ("", gcode(cut(holes))),
         (
             "--safe .5in --shift=-1,.5 --tool-change --cutter .25",
-            gcode(cut(holes), cutter=250, safe=500, shift=(-1000, 500), tool_change=True),
+            gcode(cut(holes), Output(250, 500, (-1000, 500), tool_change=True)),
         ),
         ("--as-1971", gcode_1971(cut(holes))),
     ):
@@ -177,7 +173,8 @@ MISUSE = {
     "plot": {
         "--cutter 0": "0 is not above 0 to 10",
         "--cutter nan": "nan is not above 0 to 10",
-        "--tolerance 1mm": "'1mm' is not a length in inches, such as .005 or .005in",
+        "--tolerance 1cm": "'1cm' is not a length, such as .005, .005in or 0.127mm",
+        "--tolerance 26mm": "1.02362 is not above 0 to 1",
         "--tolerance 0": "0 is not above 0 to 1",
         "--zoom 0.9": "0.9 is not from 1 to 1000",
         "--block 0": "0 is not in the range x>=1.",
@@ -194,15 +191,21 @@ MISUSE = {
         "--stretch 1,2": "--stretch means nothing without --talysurf.",
         "--circle 4,4,1 --line 1,1,2,2": "--circle does not go with --line.",
         "--function x": "--function means nothing without --range.",
-        "--side above": "--side means nothing without --function.",
+        "--side above": "--side means nothing without --function, --profile, --circle or --ellipse.",
+        "--side above --circle 4,4,1": "--side of a --circle is outside or inside.",
         "--range 0,1": "--range means nothing without --function.",
     },
     "export": {
-        "": "give one of --gcode and --dxf",
+        "": "give --gcode or --dxf, or a file whose name says so: -o FILE.ngc, -o FILE.dxf",
+        "-o e.dxf --gcode": "e.dxf is the name of DXF, not of G-code",
+        "-o e.ngc --dxf": "e.ngc is the name of G-code, not of DXF",
+        "-o e.ngc --circle 4,4,1": "--circle is not for G-code.",
+        "-o e.dxf --safe .5": "--safe is not for DXF.",
         "--gcode --dxf": "--dxf does not go with --gcode.",
-        "--gcode --circle 4,4,1": "--gcode does not go with --circle.",
+        "--gcode --circle 4,4,1": "--circle is not for G-code.",
+        "--gcode --depth": "--depth does not go with --gcode.",
         "--dxf --peck 1": "--dxf does not go with --peck.",
-        "--dxf --safe .5": "--safe means nothing without --gcode.",
+        "--dxf --safe .5": "--safe does not go with --dxf.",
         "--gcode --as-1971 --shift 1,1": "--shift does not go with --as-1971.",
         "--gcode --as-1971 --cutter 1": "--as-1971 does not go with --cutter.",
         "--gcode --safe 0": "0 is not from 0.001 to 5",
@@ -224,15 +227,20 @@ def test_misuse(command: str) -> None:
             assert not given or any(word in said for word in given.split())
 
 
+_ORIGIN = "4,5 in; the centre of a profile: 4,4 in"
+_KNOWN = ("that of the nominal curve, or 0.5", "that of the nominal curve, or 0.005")
+
+
 def test_every_command_has_help_with_examples() -> None:
     for command, defaults in (
         ("", []),
         ("list", []),
         ("cut", ["0.0", "2.0", "0.1", "1; x>=1"]),
-        ("plot", ["4,5", "0.5", "0.005", "10.0", "standard output"]),
-        ("inspect", ["4,5", "0.5", "0.005"]),
-        ("export", ["4,5", "0.1", "0.5", "0.25", "standard output"]),
+        ("plot", [_ORIGIN, *_KNOWN, "10.0", "standard output"]),
+        ("inspect", [_ORIGIN, *_KNOWN]),
+        ("export", [_ORIGIN, *_KNOWN, "0.1", "0.25", "standard output"]),
     ):
         said = CliRunner().invoke(nc, [*command.split(), "--help"], max_content_width=100).output
-        assert re.findall(r"\[default:\s+([^]]*)\]", said) == defaults
+        found = re.findall(r"\[default:\s+([^]]*)\]", said)
+        assert [" ".join(each.split()) for each in found] == defaults
         assert "Examples:\n" in said

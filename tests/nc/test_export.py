@@ -20,7 +20,6 @@ import nc
 from nc.curves import Ellipse
 from nc.dxf import dxf
 from nc.gcode_1971 import gcode_1971
-from nc.inspection import followed
 from nc.machine import Settings
 from nc.path import MoveKind
 from tapes.errors import WorkError
@@ -43,7 +42,8 @@ def everything() -> Iterator[str]:
         yield from program(draw)
 
 
-EVERYTHING = tape(*everything())
+EVERYTHING = tape(HEADER[3], *everything())
+PITCH = 0.05
 FEEDS = (MoveKind.MILL, MoveKind.FEED_IN, MoveKind.FEED_OUT)
 Event = tuple[object, ...]
 
@@ -57,8 +57,10 @@ def events(path: nc.Path) -> Iterator[Event]:
         turning = step.modes.spindle or 0
         for move in step.moves:
             x, y, z = move.end
-            feed = round(move.speed, 4) if move.kind in FEEDS else None
-            way = -1 if move.kind == MoveKind.FEED_OUT and step.block.preparatory in (1, 8) else 1
+            taps = step.block.preparatory in (1, 8)
+            speed = turning * PITCH if taps else move.speed
+            feed = round(speed, 4) if move.kind in FEEDS else None
+            way = -1 if move.kind == MoveKind.FEED_OUT and taps else 1
             yield (x / 1000, y / 1000, -z / 1000), feed, way * turning, step.modes.coolant
         if step.tool_changed:
             yield "tool", step.modes.tool
@@ -110,7 +112,8 @@ def linuxcnc(lines: Iterable[str], folder: Path) -> Iterator[Event]:
 @pytest.mark.parametrize("frames", [CIRCLE, EVERYTHING], ids=["circle", "everything"])
 def test_linuxcnc_does_the_same(frames: bytes, tmp_path: Path) -> None:
     path = nc.cut(frames, settings=Settings(feed_error=(0.12345, -0.2, 0.2)))
-    for here, there in zip(linuxcnc(gcode_1971(path), tmp_path), events(path), strict=True):
+    lines = gcode_1971(path, 1000 * PITCH if frames is EVERYTHING else 0)
+    for here, there in zip(linuxcnc(lines, tmp_path), events(path), strict=True):
         assert here[1:] == there[1:], f"{here}, not {there}"
         assert here[0] == (pytest.approx(there[0], abs=0.00011) if len(there) > 2 else there[0])
 
@@ -120,7 +123,7 @@ def test_pygcode_goes_the_same_way() -> None:
     path = nc.cut(EVERYTHING[: 1 + 20 * 60], settings=Settings(feed_error=(0.1, -0.2, 0.2)))
     machine = pygcode.Machine()
     went = []
-    for line in gcode_1971(path):
+    for line in gcode_1971(path, 1000 * PITCH):
         block = pygcode.Line(line).block
         machine.process_block(block)
         for code in block.gcodes:
@@ -184,27 +187,26 @@ def test_the_circle_as_dxf() -> None:
         "POSITION": (8, "DASHED"),
         "HOLES": (1, "CONTINUOUS"),
         "CURVE": (3, "DASHED"),
-        "GUESSED": (3, "DASHED"),
     }
     milled, curve = drawing.query("LWPOLYLINE")
     assert isinstance(milled, LWPolyline)
     assert isinstance(curve, LWPolyline)
-    assert (milled.dxf.layer, milled.dxf.elevation) == ("MILL", pytest.approx(-3.5))
+    assert (milled.dxf.layer, milled.dxf.elevation, milled.closed) == ("MILL", 0, False)
     places = [path.cuts[0].start, *(move.end for move in path.cuts)]
     expected = np.array([(at.x / 1000, at.y / 1000) for at in places])
     assert np.array(milled.get_points("xy")) == pytest.approx(expected)
     assert (curve.dxf.layer, curve.closed) == ("CURVE", True)
     assert np.hypot(*(np.array(curve.get_points("xy")) - 4).T) == pytest.approx(1.75)
-    assert [line.dxf.layer for line in drawing.query("LINE")] == ["POSITION"] * 5
-    guessed = read_back(dxf(path, followed(path, 5))).query("LWPOLYLINE")
-    assert [line.dxf.layer for line in guessed] == ["MILL", "GUESSED"]
+    assert len(drawing.query("LINE")) == 0  # 1971's parking
+    low, high = drawing.header["$EXTMIN"], drawing.header["$EXTMAX"]
+    assert [*low[:2], *high[:2]] == pytest.approx([2.25, 2.245, 5.75, 5.755])
 
 
 def test_the_four_holes_as_dxf() -> None:
     path = nc.cut(tape(*FOUR_HOLES))
     for text, radius in ((dxf(path), 0.25), (dxf(path, cutter=250), 0.125)):
         holes = read_back(text).query('CIRCLE[layer=="HOLES"]')
-        places = [(x, y, -3.5, radius) for x, y in ((1, 1), (1, 2), (4, 2), (4, 1))]
+        places = [(x, y, 0, radius) for x, y in ((1, 1), (1, 2), (4, 2), (4, 1))]
         assert [(*hole.dxf.center, hole.dxf.radius) for hole in holes] == places
 
 

@@ -14,7 +14,7 @@ from shapely import LineString, Point, Polygon, unary_union
 from shapely.geometry.base import BaseGeometry
 
 import nc
-from nc.gcode import gcode
+from nc.gcode import Output, gcode
 from nc.machine import Settings
 from programs.parts import part
 from tapes.errors import WorkError
@@ -103,7 +103,7 @@ def test_what_the_g_code_cuts_is_the_part(name: str) -> None:
     """The wall that the cutter leaves along the program's own moves, by shapely, beside the part's edge."""
     program, expression, constants = OF_A_HOBBYIST[name]
     blocks = printouts.blocks(part(program, expression, stop="inside", **constants))
-    lines = [*gcode(nc.cut(frames(blocks)), cutter=250, shift=(-2000, -1000))]
+    lines = [*gcode(nc.cut(frames(blocks)), Output(250, shift=(-2000, -1000)))]
     reached = stock(blocks)
     (left, near), (right, far) = reached.low, reached.high
     moved = Stock((left - 2 - 1e-9, near - 1 - 1e-9), (right - 2 + 1e-9, far - 1 + 1e-9), reached.depth)
@@ -162,7 +162,7 @@ def test_every_code_of_the_machine(tmp_path: Path) -> None:
     path = nc.cut(tape(HEADER[3]) + EVERYTHING[1:], settings=Settings(feed_error=(0.12345, -0.2, 0.2)))
     everywhere = Stock((0, 0), (20, 10), 5)
     for tool_change, allowed in ((False, set()), (True, LINUXCNC)):
-        lines = [*gcode(path, safe=400, tool_change=tool_change)]
+        lines = [*gcode(path, Output(safe=400, tool_change=tool_change, pitch=50))]
         assert safety.faults(lines, everywhere, 0.4, allowed) == []
         words = {word for line in lines for word in re.sub(r"\(.*?\)", "", line).split()}
         assert {"M0", "M4", *(LINUXCNC if tool_change else ())} <= words
@@ -174,7 +174,7 @@ def test_every_code_of_the_machine(tmp_path: Path) -> None:
 
 
 def test_the_header_says_what_an_operator_has_to_know() -> None:
-    assert [*gcode(nc.cut(CIRCLE), cutter=250)][:20] == [
+    assert [*gcode(nc.cut(CIRCLE), Output(250))][:20] == [
         "(Moog Hydra-Point tape of 1971, 666 blocks, about 14 min of cutting)",
         "(X 2.2500 to 5.7490, Y 2.2450 to 5.7550: the path of the cutter's centre)",
         "(cutter 0.2500 across, which no tape says: its edge goes 0.1250 further)",
@@ -199,7 +199,7 @@ def test_the_header_says_what_an_operator_has_to_know() -> None:
 
 
 def after_the_header(*blocks: str, **settings: object) -> list[str]:
-    lines = [*gcode(nc.cut(tape(*HEADER, *blocks)), **settings)]  # type: ignore[arg-type]
+    lines = [*gcode(nc.cut(tape(*HEADER, *blocks)), Output(**settings))]  # type: ignore[arg-type]
     return [re.sub(r" \(N\d+\)", "", line) for line in lines[lines.index("G4 P3") + 1 :]]
 
 

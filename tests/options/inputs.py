@@ -85,6 +85,7 @@ _SHOP = (
     "902 4 06000 06000 0 01 89\n903 6 06000 06900 0 01 85\n904 6 06500 07500 0 03 84\n"
 ).replace(" ", "")
 """A tool change, a hole that is pecked, a cut along both axes."""
+_TAP = "900 1 06000 06000 0 01 89\n901 6 06000 06900 0 01 85\n".replace(" ", "")
 
 
 _BIN = pdp8.assemble(WORK).tape
@@ -139,6 +140,8 @@ FILES: Final[Mapping[str, bytes]] = {
     "words.txt": b"A B\n",
     "digits.txt": octal.decode(ascii.encode("1\n")).encode(),
     "points.txt": b"0 0\n1 1\n2 4\n3 9.5\n",
+    "outline.csv": b"-1 -1\n1 -1\n1 1\n-1 1\n",
+    "tap.eia": _tape(_HEADER + _TAP),
     "answer.pal": shelf.read_bundled("hello.pal"),
     "script.txt": b"load literal.pal\nexamine 200:202\ndeposit 300 7001 6131 7402\ngo 300\nregisters\n"
     b"fast-reader in.asc\n",
@@ -204,8 +207,14 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "tape punch": ("typed.txt", "words.txt"),
     "tape show": ("in.asc",),
-    "part circle": (*_quick("--radius .3"), *_quick("--tolerance .05"), *_quick("")),
-    "part ellipse": (*_quick("--tolerance .05"), *_quick("--major 2.7"), "--minor 2.1", *_quick("")),
+    "part circle": (
+        *_quick("--radius .3"), *_quick("--tolerance .05"), *_quick("--tolerance .05 --cutter .1"),
+        *_quick(""),
+    ),
+    "part ellipse": (
+        *_quick("--tolerance .05"), *_quick("--tolerance .05 --cutter .1"), *_quick("--major 2.7"),
+        "--minor 2.1", *_quick(""),
+    ),
     "part polynomial": (
         *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", *_quick("--to .2"), "",
     ),
@@ -219,10 +228,11 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "part profile": (
         *_quick("'.3+0*x' --tolerance .05"), *_quick("'.3+0*x' --tolerance .05 --cutter .1"), "'.3+0*x'",
+        "outline.csv", "outline.csv --tolerance .05",
     ),
     "part die": (
         *_quick("--tolerance .05"), "", "--cut rounding", "--cut groove", *_quick("--major .5 --minor .3"),
-        "--technique piece",
+        "--technique piece", *_quick("--tolerance .05 --cutter .1"),
     ),
     "part fluidic": (
         *_quick("--tolerance .05"),
@@ -244,7 +254,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "nc export": (
         "line.eia --gcode", "line.eia --dxf", "hole.eia --gcode", "small.eia --dxf", "rows.eia --gcode",
-        "line.eia", "hole.eia",
+        "line.eia", "hole.eia", "tap.eia --gcode", "tap.eia --gcode --as-1971",
         *(f"{call} --dxf" for call in _FUNCTION),
         *(f"{call} --dxf".replace("line", "hole") for call in _FUNCTION),
     ),
@@ -335,6 +345,14 @@ _VALUES: Final = {
     "--stretch": "0,.3",
     "--safe": ".5",
     "--shift": "1,1",
+    "--tap": ".05",
+    "--profile": ".26+0*x",
+    "nc inspect --side": "outside",
+    "nc plot --side": "outside",
+    "nc export --side": "outside",
+    "part circle --side": "inside",
+    "part ellipse --side": "inside",
+    "part die --side": "inside",
     "--show": "task",
     "--csv": "csv.out",
     "--junit": "junit.out",

@@ -51,7 +51,7 @@ def test_the_thesis_s_minutes(circle: Afternoon) -> None:
     assert table["minutes to machine a pass"].thesis == "36 (Ch. 7), 30 (Table 10.1)"
     assert table["of these the contour alone"].replay == "35.9"
     assert table["of these reading the tape"].replay == "22.2"
-    outer = table["inches off at +X +Y -X -Y, outer wall"].replay.split()
+    outer = table["trough to peak at +X +Y -X -Y, outer wall"].replay.split()
     assert outer == [".0069", ".0106", ".0173", ".0106"]
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pal
-from nc.curves import nominal
+from nc.curves import Ellipse
 from nc.inspection import inspect
 from nc.path import Position
 from pdp8 import shelf
@@ -46,7 +46,7 @@ def test_the_page_computes_what_python_does() -> None:
     )
     assert made == plain(shapes)
     assert characters == plain(method.characters(_WORDS, ascii.encode(_LINE)))
-    found = inspect(chain.path("circle"), nominal(circle=(4, 4, 1.75)), tolerance=5).walls
+    found = inspect(chain.path("circle"), Ellipse(4000, 4000, 1750, 1750), tolerance=5).walls
     every = len(found.stations) // 3600
     for there, here in zip(walls, (found.outer, found.inner), strict=True):
         assert np.allclose(there, here[::every], rtol=0, atol=1e-6)
@@ -89,7 +89,7 @@ def test_what_a_tolerance_promises_and_what_it_gives() -> None:
     spans = {}
     for tolerance in (3, 5, 6, 10):
         path = method.circle(tolerance, close=True).path
-        found = inspect(path, nominal(circle=(4, 4, 1.75)), tolerance=tolerance)
+        found = inspect(path, Ellipse(4000, 4000, 1750, 1750), tolerance=tolerance)
         errors = np.concatenate([found.walls.outer, found.walls.inner])
         assert tolerance < np.abs(errors).max() <= tolerance + 1
         spans[tolerance] = float(np.ptp(found.walls.outer))

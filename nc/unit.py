@@ -1,0 +1,37 @@
+"""The unit of what is written of a path: inches, as in 1971, or millimetres."""
+
+from typing import Final, NamedTuple
+
+from tapes.quantities import inches
+
+
+class Unit(NamedTuple):
+    """A unit of length: its name, how many of it are a thousandth of an inch, its word in RS-274 and its
+    number in a DXF file.
+    """
+
+    name: str
+    scale: float
+    places: int
+    word: str
+    dxf: int
+
+    def of(self, thousandths: float) -> float:
+        """Return a length in this unit."""
+        return round(thousandths * self.scale, 6) + 0.0
+
+    def said(self, thousandths: float, places: int = 0) -> str:
+        """Return a length as it is written beside others, with so many places: 1.750, 44.450."""
+        return f"{self.of(thousandths):.{places or self.places}f}"
+
+    def error(self, thousandths: float) -> str:
+        """Return an error, without its sign: .0106, 0.2692."""
+        return inches(abs(thousandths)) if self is INCH else self.said(abs(thousandths), 4)
+
+    def signed(self, thousandths: float) -> str:
+        """Return an error with its sign."""
+        return f"{'-' if thousandths < 0 else '+'}{self.error(thousandths)}"
+
+
+INCH: Final = Unit("in", 0.001, 3, "G20", 1)
+MM: Final = Unit("mm", 0.0254, 3, "G21", 4)
