@@ -37,6 +37,35 @@ class Feeds(NamedTuple):
     y: int
 
 
+class _Path:
+    """Where the ray of two feeds leads from a stop: a step is a thousandth of the faster axis."""
+
+    def __init__(self, stretch: Stretch, at: Point, feeds: Feeds) -> None:
+        x_speed, y_speed = (XY_FEED[code] if code else 0.0 for code in feeds)
+        self.stretch, self.at, self.speeds = stretch, at, (x_speed, y_speed)
+        fastest = max(x_speed, y_speed)
+        self._across, self._up = stretch.dx * x_speed / fastest, stretch.dy * y_speed / fastest
+        self._x_is_faster = x_speed == fastest
+        self._least = ceil(1 / min(abs(part) for part in (self._across, self._up) if part))
+        self._length = sqrt(self._across * self._across + self._up * self._up)
+
+    def beyond(self, distance: float) -> int:
+        """Return the fewest steps that go further, and with which each axis moves."""
+        return max(self._least, int(distance / self._length) + 1)
+
+    def stop(self, aside: int, steps: int) -> Point:
+        """Return the stop after so many steps, so much aside of where the feeds lead."""
+        x, y = self.at.x + round(self._across * steps), self.at.y + round(self._up * steps)
+        return Point(x, y + aside) if self._x_is_faster else Point(x + aside, y)
+
+    def leads(self, aside: int, steps: int) -> bool:
+        """Whether the stop is ahead, and in the band."""
+        x, y = self.stop(aside, steps)
+        stretch = self.stretch
+        ahead = (x - self.at.x) * stretch.dx >= 0 and (y - self.at.y) * stretch.dy >= 0
+        return ahead and stretch.inside(x, y)
+
+
 class Ray(NamedTuple):
     """A block: both axes at their feeds from where the cutter is to `stop`."""
 
@@ -75,14 +104,21 @@ class Technique:
     def _furthest(self, stretch: Stretch, at: Point, force: Feeds) -> Ray:
         """Return the ray from `at` of the greatest distance per block."""
         best, most = None, 0.0
+        along_x, along_y = _asides(stretch, at, 1, 0), _asides(stretch, at, 0, 1)
         for feeds in self._choices(force):
             blocks = 1 + all(code and code != now for code, now in zip(feeds, force, strict=True))
-            for aside in _asides(stretch, at, feeds) if self.feed_error else (0,):
-                stop = self._reach(stretch, at, feeds, aside, most * blocks)
+            path = _Path(stretch, at, feeds)
+            steps = path.beyond(most * blocks)
+            tried = along_y if feeds.x >= feeds.y else along_x
+            for aside in tried if self.feed_error and 0 not in feeds else (0,):
+                if not self._kept(path, aside, steps):
+                    continue
+                stop = path.stop(aside, self._reach(path, aside, steps))
                 x, y = stop.x - at.x, stop.y - at.y
                 gain = sqrt(x * x + y * y) / blocks
                 if gain > most:
                     best, most = Ray(feeds, stop), gain
+                    steps = path.beyond(most * blocks)
         if best is None:
             raise WorkError(f"at X {at.x / 1000:.3f} Y {at.y / 1000:.3f} no pair of feeds stays in the band")
         return best
@@ -93,33 +129,22 @@ class Technique:
         yield Feeds(0, force.y or 1)
         yield from (Feeds(x, y) for x in codes for y in codes)
 
-    def _reach(self, stretch: Stretch, at: Point, feeds: Feeds, aside: int, beyond: float) -> Point:
-        """Return the furthest stop for `feeds`, so much aside of where they lead.
-
-        That is `at` if none is further than `beyond`.
-        """
-        speeds = tuple(XY_FEED[code] if code else 0.0 for code in feeds)
-        fastest = max(speeds)
-        across, up = stretch.dx * speeds[0] / fastest, stretch.dy * speeds[1] / fastest
-        x, y = (at.x, at.y + aside) if speeds[0] == fastest else (at.x + aside, at.y)
-
-        def stop(steps: int) -> Point:
-            return Point(x + round(across * steps), y + round(up * steps))
-
-        def kept(steps: int) -> bool:
-            there = stop(steps)
-            if (there.x - at.x) * stretch.dx < 0 or (there.y - at.y) * stretch.dy < 0:
-                return False
-            return not _passes(stretch, at, there) and self._keeps(stretch, at, there, speeds)
-
-        both_move = ceil(1 / min(abs(part) for part in (across, up) if part))
-        steps = max(both_move, int(beyond / sqrt(across * across + up * up)) + 1)
-        if not kept(steps):
-            return at
+    def _reach(self, path: "_Path", aside: int, steps: int) -> int:
+        """Return how many steps the path may go, if it may go so many."""
         far = 2 * steps
-        while kept(far):
+        while self._kept(path, aside, far):
             steps, far = far, 2 * far
-        return stop(bisect_left(range(far), True, lo=steps, key=lambda more: not kept(more)) - 1)
+        longer = range(far)
+        return bisect_left(longer, True, lo=steps, key=lambda more: not self._kept(path, aside, more)) - 1
+
+    def _kept(self, path: "_Path", aside: int, steps: int) -> bool:
+        """Whether the band is kept by a path of so many steps."""
+        if not path.leads(aside, steps):
+            return False
+        stop = path.stop(aside, steps)
+        return not _passes(path.stretch, path.at, stop) and self._keeps(
+            path.stretch, path.at, stop, path.speeds
+        )
 
     def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
         """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""
@@ -130,11 +155,8 @@ class Technique:
         return all(stretch.inside(x, y) for extreme in extremes for x, y in way(at, stop, extreme))
 
 
-def _asides(stretch: Stretch, at: Point, feeds: Feeds) -> range:
-    """Return how far aside of a ray the stops are that are tried: across the band, either way."""
-    if 0 in (feeds.x, feeds.y):
-        return range(1)
-    x, y = (0, 1) if feeds.x >= feeds.y else (1, 0)
+def _asides(stretch: Stretch, at: Point, x: int, y: int) -> range:
+    """Return how far aside of a ray stops are tried: across the band along X or Y, either way."""
     width = _room(stretch, at, x, y) + _room(stretch, at, -x, -y)
     return range(-width, width + 1, max(1, width // 10))
 

@@ -170,7 +170,7 @@ def test_help_says_units_defaults_and_the_language(call: Call) -> None:
     for option in ("radius INCHES", "feed-error PERCENT", "spindle CODE", "a PER-SQ-INCH"):
         assert f"--{option} " in shown
     for part, said in (
-        ("circle", "1.75 0.005 4 4 0 step 1"),
+        ("circle", "1.75 0.005 4 4 0 outside step 1"),
         ("drill", "1,1 1,2 4,2 4,1 35 3 3.5 1 standard output"),
         ("compare", "exact ge635"),
     ):
