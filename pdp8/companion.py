@@ -14,6 +14,7 @@ from typing import Any, get_args
 
 from tapes.errors import WorkError
 from tapes.nominal import SIDES, Kind, Nominal
+from tapes.text import lines_of
 
 _MARK = "pdp8 nominal curve"
 _COUNTS = {"line": 4, "circle": 3, "ellipse": 4, "function": 4, "profile": 2}
@@ -32,7 +33,7 @@ def digest(blocks: Iterable[str]) -> str:
 def written(nominal: Nominal, printout: str) -> str:
     """Return the file's text, for the printout of a part program."""
     curve = {name: value for name, value in nominal._asdict().items() if value not in ("", ())}
-    return json.dumps({"is": _MARK, **curve, "blocks": digest(printout.splitlines())}, indent=1) + "\n"
+    return json.dumps({"is": _MARK, **curve, "blocks": digest(lines_of(printout))}, indent=1) + "\n"
 
 
 def is_one(text: str) -> bool:

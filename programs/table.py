@@ -20,6 +20,7 @@ from typing import Final, NamedTuple
 
 from tapes.errors import WorkError
 from tapes.hydrapoint import X_TRAVEL
+from tapes.text import lines_of
 
 Place = tuple[float, float]
 
@@ -63,7 +64,7 @@ def read(content: bytes, mm: bool = False) -> Points:
 
     Raises WorkError, naming the line, for what has numbers and is no point.
     """
-    every = enumerate((_COMMENT.split(line)[0] for line in _text(content).splitlines()), 1)
+    every = enumerate((_COMMENT.split(line)[0] for line in lines_of(_text(content))), 1)
     lines = [(at, line) for at, line in every if line.strip(' \t,;|"-\ufeff')]
     given = next((line[4:5] for _, line in lines if line.lower().startswith("sep=")), "")
     lines = [(at, line) for at, line in lines if not line.lower().startswith("sep=")]
@@ -82,7 +83,7 @@ def _text(content: bytes) -> str:
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in content[:8]
     for code in ("utf-16",) if wide else ("utf-8-sig", "cp1252"):
         with suppress(UnicodeDecodeError):
-            return content.decode(code)
+            return content.decode(code).replace("\r\n", "\n").replace("\r", "\n")
     raise WorkError("it is no text: save it as CSV in UTF-8")
 
 
