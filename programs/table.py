@@ -34,7 +34,7 @@ _NUMBER = {
     ",": re.compile(r"[+-]?([1-9]\d{0,2}([.'’ ]\d{3})+(?!\d)|\d+)?(,\d*)?([ED][+-]?\d+)?", re.IGNORECASE),
 }
 _THOUSANDS = re.compile(r"\d[.,'’ ]\d{3}(?!\d)")
-_COMMENT = re.compile(r"\s*(//|!|%|#(?!(DIV|N/A|NV|REF|BEZUG|VALUE|WERT|NAME|NUM|ZAHL|NULL)))|\s+#\s")
+_COMMENT = re.compile(r"^\s*(//|!|%|#(?!(DIV|N/A|NV|REF|BEZUG|VALUE|WERT|NAME|NUM|ZAHL|NULL)))|\s+#\s")
 _KEYS = re.compile(r"\b([xyz])\s*[:=]\s*([-+\d.,e]+)", re.IGNORECASE)
 _NAMED = re.compile(r"^\s*[a-z_]\w*\s+(?=[-+.\d])", re.IGNORECASE)
 _OTHERS = {b"PK": "a workbook: save its sheet as CSV", b"<": "XML or SVG: export the points as CSV"}

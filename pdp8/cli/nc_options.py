@@ -15,6 +15,7 @@ from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
+from tapes.text import lines_of
 
 if TYPE_CHECKING:
     from nc.curves import Curve
@@ -382,7 +383,7 @@ def _made_for(tape: str, path: "Path") -> Nominal | None:
         command.say(f"{name} is of another tape, its blocks differ: not used (--profile {name} would)")
     stem = os.path.splitext(os.path.basename(tape))[0]
     part = PARTS.get(stem)
-    if part and part.has_defaults and companion.digest(part.program()().splitlines()) == blocks:
+    if part and part.has_defaults and companion.digest(lines_of(part.program()())) == blocks:
         followed = part.nominal()
         return followed and followed._replace(source=f"pdp8 part {stem}")
     return None
