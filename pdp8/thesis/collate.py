@@ -1,7 +1,4 @@
-"""What a rescan of the thesis would settle, the letter that asks for it, and the answers.
-
-conjectures.txt has a line for each: name, page, place on it, our reading, its rivals with what each would
-change, and what hangs on it: a file of evidence, an input, or an item of the catalogue.
+"""What a rescan of the thesis would settle (conjectures.txt), the letter that asks for it, and the answers.
 
     name | what the page has | who looked, where, when         a line of an answer; # opens a comment
 
@@ -28,7 +25,7 @@ class Conjecture(NamedTuple):
     place: str
     ours: str
     rivals: dict[str, str]
-    targets: list[str]
+    targets: str
 
 
 def _text(name: str) -> str:
@@ -39,11 +36,10 @@ def _text(name: str) -> str:
 def conjectures() -> dict[str, Conjecture]:
     """Return the conjectures by name, in the order of the file."""
     found = {}
-    for line in lines_of(_text("conjectures.txt")):
-        if not line.startswith("#"):
-            name, page, place, ours, rivals, targets = (cell.strip() for cell in line.split("|"))
-            changes = dict(each.strip().split(" = ") for each in rivals.split("//"))
-            found[name] = Conjecture(name, page, place, ours, changes, targets.split(", "))
+    for line in lines_of(_text("conjectures.txt"))[1:]:
+        name, page, place, ours, rivals, targets = (cell.strip() for cell in line.split("|"))
+        changes = dict(each.split(" = ") for each in rivals.split(" // "))
+        found[name] = Conjecture(name, page, place, ours, changes, targets)
     return found
 
 
@@ -74,17 +70,16 @@ def alike(one: str, other: str) -> bool:
 
 def settled(target: str) -> bool:
     """Whether what `target` hangs on was read, and the page has what we took for it."""
-    given, on = answers(), [each for each in conjectures().values() if target in each.targets]
+    given, on = answers(), [each for each in conjectures().values() if target in each.targets.split(", ")]
     return bool(on) and all(alike(given.get(each.name, ""), each.ours) for each in on)
 
 
 def as_read(row: Any, artefact: str) -> Any:
     """Return a row of evidence; if it is a conjecture that was read, with the page's words, class `read`."""
-    given = answers() if row.kind == "conjecture" else {}
-    for each in conjectures().values():
-        if artefact in each.targets and each.name in given and each.ours in row.ours:
-            words = each.ours if alike(given[each.name], each.ours) else given[each.name]
-            line = row.ours.replace(each.ours, words)
+    for each in conjectures().values() if row.kind == "conjecture" else ():
+        words = answers().get(each.name, "")
+        if words and artefact == each.targets and each.ours in row.ours:
+            line = row.ours.replace(each.ours, each.ours if alike(words, each.ours) else words)
             line = line.partition(" /")[0] if artefact.endswith(".pal") else line  # notes in PAL are ours
             return row._replace(kind="read", ours=line)
     return row
@@ -93,10 +88,10 @@ def as_read(row: Any, artefact: str) -> Any:
 def table(given: dict[str, str], places: dict[str, str]) -> Table:
     """Return each conjecture with its place, its rivals, and its state after the answers `given`."""
     rows = []
-    for each in conjectures().values():
-        rivals = "; ".join(f"{reading}: {change}" for reading, change in each.rivals.items())
-        place = f"{each.place}{places.get(each.name, '')}"
-        rows.append((each.name, each.page, place, each.ours, state(each, given.get(each.name)), rivals))
+    for name, page, place, ours, rivals, _ in conjectures().values():
+        changes = "; ".join(f"{reading}: {change}" for reading, change in rivals.items())
+        state_ = state(conjectures()[name], given.get(name))
+        rows.append((name, page, place + places.get(name, ""), ours, state_, changes))
     return Table(("name", "page", "place", "ours", "state", "rivals: what each would change"), tuple(rows))
 
 
@@ -104,14 +99,13 @@ def state(conjecture: Conjecture, answer: str | None) -> str:
     """Return `conjectured`, `read` if the page has ours, or what it has and what that changes."""
     if answer is None or alike(answer, conjecture.ours):
         return "conjectured" if answer is None else "read"
-    changes = [change for reading, change in conjecture.rivals.items() if alike(answer, reading)]
-    return f"read: {answer}; {changes[0] if changes else 'not foreseen, so not computed'}"
+    changes = (change for reading, change in conjecture.rivals.items() if alike(answer, reading))
+    return f"read: {answer}; {next(changes, 'not foreseen, so not computed')}"
 
 
 def letter() -> str:
     """Return a letter to the library that has the thesis: which pages, and what on each."""
     known = sorted(conjectures().values(), key=lambda one: int(one.page))
-    places = "".join(
-        f"page {each.page:>3}  {each.place}. Name: {each.name}. Our reading: {each.ours}\n" for each in known
-    )
+    form = "page {0.page:>3}  {0.place}. Name: {0.name}. Our reading: {0.ours}\n"
+    places = "".join(form.format(each) for each in known)
     return _text("letter.txt").format(places=places, form=_FORM)

@@ -90,8 +90,8 @@ def _variants(page_: str) -> Iterator[tuple[str, ...]]:
 
 
 def _rescan(_: str) -> Iterator[tuple[str, ...]]:
-    for _name, page_, place, ours, _state, rivals in collate.table({}, {}).rows:
-        yield page_, place, ours, rivals
+    for row in collate.table({}, {}).rows:
+        yield row[1], row[2], row[3], row[5]
 
 
 def main() -> None:

@@ -32,6 +32,5 @@ def find(conjecture: Conjecture, picture: bytes) -> tuple[int, int, bool] | None
         return None
     if len(runs) == len(lines):
         return runs[number][0], runs[number][-1], True
-    pitch = (runs[-1][-1] - runs[0][0]) / len(lines)
-    top = runs[0][0] + pitch * number
-    return int(top - pitch), int(top + 2 * pitch), False
+    top, pitch = runs[0][0], (runs[-1][-1] - runs[0][0]) / len(lines)
+    return int(top + pitch * (number - 1)), int(top + pitch * (number + 2)), False

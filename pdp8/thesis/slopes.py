@@ -79,9 +79,8 @@ def _cone(view: View) -> None:
 def piecewise() -> str:
     """Figure 3.2: X by itself and X with Y by turns, stopping at the limits of the band."""
     path = chain.path("slope", tolerance=_BAND / 1000, milling=Milling("piece", fastest=1, feed_error=0.1))
-    return _technique(
-        path, _line, _BAND, "Piece-wise Linear Technique", "X, or X and Y together, at 1 in/min"
-    )
+    said = "X, or X and Y together, at 1 in/min"
+    return _technique(path, _line, _BAND, "Piece-wise Linear Technique", said)
 
 
 def stepwise() -> str:

@@ -1,9 +1,8 @@
 """The evidence as TEI, for editors: what the scan shows, what it misreads, and what is supplied.
 
-    <pb n="106"/><gap reason="lost" unit="page"/>                       a page that the scan has lost
-    <ab><choice><sic>0205 3190</sic>                                    a damaged line as the scan has it
-      <corr resp="#pdp8">0205 3100 <supplied ...>DCA HOLD</supplied></corr></choice>      and as it was
-      <note resp="#pdp8">9 is no octal digit; ...</note></ab>           and why
+    <pb n="106"/><gap reason="lost" unit="page"/>                 a page that the scan has lost
+    <ab><choice><sic>0205 3190</sic><corr>0205 3100 <supplied>DCA HOLD</supplied></corr></choice>
+      <note>9 is no octal digit; ...</note></ab>                  the scan's line, the line as it was, why
 
 What is supplied has cert="low" if it is a conjecture, a tag that is ours, an operand that may have been a
 tag, or the wording of a table. `eia1.pal` and `eia2.pal` are ours: no page of the thesis has them.
@@ -22,8 +21,6 @@ from pdp8.thesis.evidence import ARTEFACTS, TABLES, Row, read
 from pdp8.thesis.supplied import marked
 
 RECONSTRUCTIONS: Final = ARTEFACTS[1:3]
-"""Programs that the thesis describes and does not list."""
-
 _HEADER: Final = """<?xml version="1.0" encoding="UTF-8"?>
 <TEI xmlns="http://www.tei-c.org/ns/1.0">
 <teiHeader><fileDesc>
@@ -87,8 +84,7 @@ def _is_misread(row: Row, artefact: str) -> bool:
     """Whether the scan has characters of this line, and some of them are others than ours."""
     if row.kind == "damaged":
         return row.scan != "^"
-    shown = read(row.scan, artefact)
-    return artefact in TABLES and row.kind == "conjecture" and len(shown) == len(row.ours)
+    return artefact in TABLES and row.kind == "conjecture" and len(read(row.scan, artefact)) == len(row.ours)
 
 
 def _cert(row: Row, artefact: str) -> str:
