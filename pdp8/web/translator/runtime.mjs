@@ -732,9 +732,9 @@ const domain = (f) => (of) => {
   if (Number.isFinite(made) || !Number.isFinite(x)) return Number.isNaN(made) && !Number.isNaN(x) ? refuse(ValueError, "math domain error") : made;
   return Number.isNaN(made) || f === Math.log ? refuse(ValueError, "math domain error") : refuse(OverflowError, "math range error");
 };
-export const [acos, asin, cosh, exp, log, sinh, sqrt] = "acos asin cosh exp log sinh sqrt".split(" ").map((name) => domain(Math[name]));
+export const { acos, asin, cosh, exp, log, sinh, sqrt } = Object.fromEntries("acos asin cosh exp log sinh sqrt".split(" ").map((name) => [name, domain(Math[name])]));
 const finite = (f) => (of) => (isfinite(of) ? f(Number(of)) : refuse(ValueError, "math domain error"));
-export const [cos, sin, tan] = "cos sin tan".split(" ").map((name) => finite(Math[name]));
+export const { cos, sin, tan } = Object.fromEntries("cos sin tan".split(" ").map((name) => [name, finite(Math[name])]));
 export const { atan, atan2, tanh } = Math;
 export const abs = (of) => (of < 0 || Object.is(of, -0) ? -of : of);
 export const fabs = (of) => Math.abs(Number(of));
