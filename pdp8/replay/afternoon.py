@@ -42,7 +42,7 @@ class Afternoon(Day):
 
 
 def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> Afternoon:
-    """Do the whole afternoon for the part program `part`; `tell` hears of every act as it is done.
+    """Do the whole afternoon for the part program `part`; `tell` is called with each act when it is done.
 
     Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
     """

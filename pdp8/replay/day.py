@@ -103,7 +103,7 @@ class Judgement(NamedTuple):
 
 @dataclass(frozen=True)
 class Course:
-    """A day that is over: what the operator did and when, and what came of it.
+    """A finished day: what the operator did and when, and the results.
 
     `tapes` by name; `mill_starts` is the tick at which the Hydra-Point began to read.
     """
@@ -126,7 +126,7 @@ def _bin_tape(assembly: Assembly) -> bytes:
 
 
 def _eia_tape(assembly: Assembly) -> bytes:
-    """Return the tape of the translation program, which BIN reads, from its leader on."""
+    """Return the tape of the translation program, from its leader, for the BIN loader."""
     return assembly.tape[frames.leader_start(assembly.tape) or 0 :]
 
 
@@ -163,7 +163,7 @@ class Day:
         self.began = monotonic()
 
     def through(self) -> Iterator[None]:
-        """Do it all; stop now and then so that the caller can look, or do something else.
+        """Do the whole day; yield from time to time, so that the caller can look or stop.
 
         Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
         """
@@ -177,7 +177,7 @@ class Day:
 
     @property
     def course(self) -> Course:
-        """What the day leaves, so that any instant of it can be had again (see script)."""
+        """The results of the day, from which script makes any instant of it again."""
         return Course(self.part, self.acts, self.actions, self.tapes, self.mill_starts)
 
     @property
@@ -186,7 +186,7 @@ class Day:
         return self.machine.processor.clock
 
     def _act(self, kind: Kind, name: str, say: str, outcome: str, program: str = "") -> None:
-        """Write down the act that has just ended."""
+        """Record the act that has just ended."""
         starts = self.acts[-1].ends if self.acts else 0
         act = Act(kind, name, program, say, starts, self.now, outcome, monotonic() - self.began)
         self.acts.append(act)
@@ -203,7 +203,7 @@ class Day:
         yield
 
     def _read(self, name: str, tape: bytes, program: str, address: int, end: Reason) -> Iterator[None]:
-        """Have `program`, at `address`, read a tape; it must end so."""
+        """Let `program`, started at `address`, read a tape to its end."""
         self.tapes[name] = tape
         self.operator.mount(name, tape)
         self.operator.begin(address)

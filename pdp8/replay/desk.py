@@ -16,7 +16,7 @@ PICTURED: Final = 240
 
 
 def desk(afternoon: Afternoon) -> dict[str, bytes]:
-    """Return {file name: content} of everything: tapes as they are, texts in UTF-8, pictures as SVG."""
+    """Return every file by its name: tapes as they are, texts in UTF-8, pictures as SVG."""
     texts = dict(_texts(afternoon)) | dict(_pictures(afternoon))
     return afternoon.tapes | {name: text.encode() for name, text in texts.items()}
 

@@ -34,7 +34,7 @@ def compare(afternoon: "Afternoon") -> list[Figure]:
 
 
 def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
-    """Yield blocks and minutes, what those at the machine are made of, and what they were at another feed."""
+    """Yield blocks and minutes; how the minutes at the machine are made up; and those at another feed."""
     minutes, times = afternoon.minutes, afternoon.path.times
     yield "blocks", said.blocks, f"{len(afternoon.path)}"
     yield "minutes to punch", said.punch, f"{minutes['punch']:.1f}"
@@ -51,7 +51,7 @@ def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | 
 
 
 def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
-    """Yield the walls' errors, trough to peak, and of the circle those with its contour closed."""
+    """Yield the walls' errors, trough to peak; for the circle also with its contour closed."""
     if afternoon.inspection is None:
         return
     gap = afternoon.inspection.gap

@@ -55,7 +55,7 @@ class Script:
         self.keep(0, self.machine.values())
 
     def keep(self, tick: int, values: Values) -> None:
-        """Keep the values that the machine has at a tick, all that is done then being done."""
+        """Keep the machine's values at a tick, after all that happens at it."""
         at = bisect_left(self._ticks, tick)
         self._ticks.insert(at, tick)
         self._snapshots.insert(at, values)
@@ -148,7 +148,7 @@ class Script:
         return self.action.at if self.action else 0
 
     def _next_cycle(self, whole: bool) -> None:
-        """Go on by a cycle, or to the end of the instruction, or as far as the next action."""
+        """Run one cycle, or to the end of the instruction, or until the next action."""
         processor, done = self.machine.processor, self.done
         while True:
             self.to(min(processor.clock + _cycle(self.machine), self._next_action))
@@ -169,7 +169,7 @@ class Script:
         return self.day.actions[self.done].at if self.done < len(self.day.actions) else self.end
 
     def _instants(self, unit: Unit, until: int) -> Iterator[int]:
-        """Go on from event to event as far as tick `until`; yield the ticks that are instants of `unit`."""
+        """Run from event to event until tick `until`; yield the ticks that are instants of `unit`."""
         receiver = self.machine.teletype.receiver
         blocks = unit == Unit.BLOCK
         while self.now < until:
@@ -204,7 +204,7 @@ class Script:
         self.done = sum(action.at <= self.now for action in self.day.actions)
 
     def _advance(self, tick: int) -> None:
-        """Go on to a tick, and keep a snapshot now and then while the machine runs."""
+        """Run until a tick, and keep a snapshot at intervals."""
         while self.machine.processor.run and tick - self.now > _APART:
             self._go_on(self.now + _APART)
             self._keep_now()
@@ -240,7 +240,7 @@ class Script:
 
 
 def go_on(machine: Machine, until: int) -> None:
-    """Go on to the last cycle that ends at tick `until` or before; standing still, let time pass."""
+    """Run until the last cycle that ends at tick `until` or before; stopped, let time pass."""
     p = machine.processor
     while p.run and p.next != FETCH and p.clock + CYCLE <= until:
         p.cycle()
@@ -261,6 +261,6 @@ def _cycle(machine: Machine) -> int:
 
 
 def _first_from(ticks: list[int], tick: int) -> int:
-    """Return the first of `ticks` that is not before `tick`; a tick that never comes if there is none."""
+    """Return the first of `ticks` at `tick` or later; if there is none, a tick after every other."""
     at = bisect_left(ticks, tick)
     return ticks[at] if at < len(ticks) else 1 << 52

@@ -81,7 +81,7 @@ def catalogue() -> tuple[Item, ...]:
 
 
 def _item(entry: dict[str, Any]) -> Item:
-    """Return an entry with its texts unwrapped."""
+    """Return an entry, each of its texts on one line."""
     unwrapped = {field: " ".join(text.split()) for field, text in entry.items() if isinstance(text, str)}
     if settled(entry["number"]):
         unwrapped["state"] = "our drawing"

@@ -69,13 +69,13 @@ def alike(one: str, other: str) -> bool:
 
 
 def settled(target: str) -> bool:
-    """Whether what `target` hangs on was read, and the page has what we took for it."""
+    """Whether the conjectures that `target` depends on were read, and the page has ours."""
     given, on = answers(), [each for each in conjectures().values() if target in each.targets.split(", ")]
     return bool(on) and all(alike(given.get(each.name, ""), each.ours) for each in on)
 
 
 def as_read(row: Any, artefact: str) -> Any:
-    """Return a row of evidence; if it is a conjecture that was read, with the page's words, class `read`."""
+    """Return a row of evidence; a conjecture that was read gets the page's words and the class `read`."""
     for each in conjectures().values() if row.kind == "conjecture" else ():
         words = answers().get(each.name, "")
         if words and artefact == each.targets and each.ours in row.ours:

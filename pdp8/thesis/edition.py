@@ -34,7 +34,7 @@ _Maker = Callable[..., Iterator[tuple[str, ...]]]
 
 
 def page(text: str) -> str:
-    """Return `text` with every table in it made again."""
+    """Return `text` with every generated table made again."""
     return _SECTION.sub(lambda found: found[1] + _table(found[2], found[3].split()) + found[4], text)
 
 
@@ -78,7 +78,7 @@ def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
 
 
 def _variants(page_: str) -> Iterator[tuple[str, ...]]:
-    """Yield the words of a page that others may replace: with our reasons from the evidence."""
+    """Yield each word of a page that another could replace, with the reason for ours."""
     text = (files("pdp8.thesis") / "scan" / "variants.txt").read_text(encoding="utf-8")
     lines = (line.split("|") for line in lines_of(text) if not line.startswith("#"))
     others = {address.strip(): (count.strip(), names.strip()) for address, count, names in lines}

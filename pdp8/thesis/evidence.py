@@ -114,7 +114,7 @@ def _fortran_source(row: Row) -> str:
 
 
 def table(artefact: str) -> Iterator[Row]:
-    """Yield the rows the thesis has; of a PAL program `ours` is address, word and source."""
+    """Yield the rows that the thesis has; in a PAL program `ours` is address, word and source."""
     if not artefact.endswith(".pal"):
         yield from (row for row in rows(artefact) if row.is_of_the_thesis)
         return

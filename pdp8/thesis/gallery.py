@@ -65,7 +65,7 @@ def _article(item: Item, made: Made | None) -> str:
 
 
 def _with_code(text: str) -> str:
-    """Return text as HTML, what is between back quotes as code."""
+    """Return text as HTML, with the words between back quotes as code."""
     parts = escape(text).split("`")
     return "".join(f"<code>{part}</code>" if number % 2 else part for number, part in enumerate(parts))
 

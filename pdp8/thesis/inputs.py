@@ -36,7 +36,7 @@ INPUTS: Final = {
 
 
 def state(made: bool, agrees: bool, inputs: tuple[str, ...]) -> str:
-    """Return what may be said of a number: is ours made, does it agree, what is it made from."""
+    """Return a number's state, from whether we make it, whether it agrees, and what it is made from."""
     if not made:
         return NOT_MADE
     if any(INPUTS[name].kind == "fitted" for name in inputs):

@@ -16,7 +16,7 @@ from tapes.errors import WorkError
 
 
 class Made(NamedTuple):
-    """What was made of an item: its file, the table it is if it is one, and its tape if it has one."""
+    """What was made of an item: its file, its table if it is a table, and its tape if it has one."""
 
     item: Item
     name: str

@@ -57,12 +57,12 @@ def measure(name: str) -> Measure:
 
 
 def value(name: str) -> Measure:
-    """Return a measure by its name, as it is kept if it takes long."""
+    """Return a measure by its name; one that takes long is read from measured.json."""
     return _kept()[name] if callable(_table()[name].value) else measure(name)
 
 
 def computed(names: Iterable[str]) -> dict[str, Measure]:
-    """Return the measures of those names that take long, computed."""
+    """Compute those of the named measures that take long."""
     return {name: measure(name) for name in names if name and callable(_table()[name].value)}
 
 

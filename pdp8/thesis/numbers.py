@@ -63,7 +63,7 @@ class Number(NamedTuple):
 
     @property
     def state(self) -> str:
-        """What may be said of it."""
+        """Its state (`inputs.state`)."""
         return state(self.ours is not None, self.agrees, self.inputs)
 
     @property
@@ -89,7 +89,7 @@ class Number(NamedTuple):
 
 
 def plain(said: str) -> str:
-    """Return a number as the scan has it without the base of octals and spaces before commas."""
+    """Return a number of the scan without the base of octals and without spaces before commas."""
     return re.sub(r" ,", ",", re.sub(r"_8|₈|°", "", said)).strip()
 
 

@@ -61,7 +61,7 @@ def _write(sheet: ET.Element, y: float, words: str, weight: str, size: float, co
 
 
 def _parsed(picture: str, prefix: str) -> ET.Element:
-    """Return a picture's root, its identifiers its own and its title gone, which is the whole sheet's."""
+    """Return a picture's root, its identifiers prefixed and its title removed: the sheet has one."""
     named = re.sub(r'(\bid="|url\(#)', rf"\g<1>{prefix}", picture)
     root = ET.fromstring(named)
     for title in root.findall(f"{{{_SVG}}}title"):

@@ -65,7 +65,7 @@ def _one_instruction(x_code: int, y_code: int) -> nc.Path:
 
 
 def _cone(view: View) -> None:
-    """Shade where the first ratio may lead: X fast and Y slow, to X slow and Y fast."""
+    """Shade where the first ratio may lead, from X fast and Y slow to X slow and Y fast."""
     x_feed, y_feed = XY_FEED[2], XY_FEED[1]
     reach = []
     for error in (FEED_TOLERANCE, -FEED_TOLERANCE):
@@ -99,7 +99,7 @@ def stepwise_curve() -> str:
 
 
 def _line(offset: float) -> _Places:
-    """Chapter 3's slope on the table, moved square to itself."""
+    """Chapter 3's slope on the table, moved by `offset` at right angles."""
     (x1, y1), (x2, y2) = (4000, 4000), (8330, 6500)
     length = ((x2 - x1) ** 2 + (y2 - y1) ** 2) ** 0.5
     dx, dy = -(y2 - y1) / length * offset, (x2 - x1) / length * offset
@@ -107,7 +107,7 @@ def _line(offset: float) -> _Places:
 
 
 def _root(offset: float) -> _Places:
-    """The curve of Figure 3.4 on the table, moved along Y."""
+    """The curve of Figure 3.4 on the table, moved by `offset` along Y."""
     places = range(300, 4001, 50)
     return [(4000 + x, 5000 + 2400 * (x / 4000) ** 0.5 + offset) for x in places]
 

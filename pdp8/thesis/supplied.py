@@ -25,7 +25,7 @@ _ZEROS = str.maketrans("ØQ@", "000")
 
 
 def marked(artefact: str) -> Iterator[tuple[Row, list[bool]]]:
-    """Yield each row of the thesis, and of its characters, white space apart, whether they are supplied."""
+    """Yield each row of the thesis, and whether each of its characters but spaces is supplied."""
     above = ""
     for row in table(artefact):
         above = row.scan if row.scan != "^" else above
@@ -57,7 +57,7 @@ def _pal_shown(scan: str, *, second: bool) -> tuple[str, str]:
 
 
 def _unlike(shown: str, ours: str) -> list[bool]:
-    """Return of each character of `ours` whether the scan does not show it.
+    """Return for each character of `ours` whether the scan lacks it.
 
     Text of the same length is compared place by place, other text by its longest common runs.
     """
@@ -97,6 +97,6 @@ def _put(text: list[str], bracket: str, at: int, *, before: bool) -> None:
 
 
 def html(text: str) -> str:
-    """Return text as HTML, in another colour what has brackets, and a line whose mark says it is ours."""
+    """Return text as HTML; text in brackets, and lines with a mark of ours, in another colour."""
     coloured = _BRACKETS.sub(r'<mark class="supplied">[\1]</mark>', escape(text))
     return _MARKED_LINE.sub(r'<mark class="supplied">\1</mark>', coloured)

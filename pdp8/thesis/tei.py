@@ -81,7 +81,7 @@ def _pages(lines: list[tuple[Row, list[bool]]], artefact: str) -> Iterator[str]:
 
 
 def _is_misread(row: Row, artefact: str) -> bool:
-    """Whether the scan has characters of this line, and some of them are others than ours."""
+    """Whether the scan has this line with some characters that are not ours."""
     if row.kind == "damaged":
         return row.scan != "^"
     return artefact in TABLES and row.kind == "conjecture" and len(read(row.scan, artefact)) == len(row.ours)
@@ -96,7 +96,7 @@ def _note(row: Row) -> str:
 
 
 def _runs(row: Row, supplied: list[bool], tags: set[str], artefact: str) -> Iterator[str]:
-    """Yield a line's text by runs of one kind: as the scan shows it, or supplied, surely or not."""
+    """Yield a line's text in runs: as the scan shows it, or supplied with one certainty."""
     flags, usual = iter(supplied), _cert(row, artefact)
     reason = "illegible" if row.kind == "damaged" else "lost"
     given: list[tuple[str, str]] = []

@@ -54,7 +54,7 @@ def polar_graphs() -> list[str]:
 
 
 def cut_again(path: nc.Path, seed: int) -> nc.Path:
-    """Return the path cut once more: each stop is off along its axis, by up to the machine's precision."""
+    """Return the path cut again, each stop off along its axis by at most the machine's precision."""
     errors, at, steps = Random(seed), path.cuts[0].start, []
     for step in path.steps:
         moves = list(step.moves)
