@@ -24,7 +24,7 @@ lexer          PAL III in colour, for Pygments; grammar   the same for editors
 meaning        what words and names mean
 server         the language server; workspace   the tapes that an editor has open; text   their lines
 document       a program as an editor asks about it; pieces   a line as an editor colours it
-fixes          edits that correct a diagnostic; formatting   a source in columns
+fixes          edits that correct a diagnostic; formatting   a source in columns, or silenced
 """
 
 from typing import TYPE_CHECKING

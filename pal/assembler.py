@@ -14,11 +14,11 @@ on the cells of the statement, which are cleared when a statement begins:
     address      the other items, from left to right by `operator`: OR (0), +1, -1
     zero         whether there was a Z, or an address on page zero
 
-CR and ``;`` make a word of it. ``=``, ``*``, FIELD and FIXMRI read an expression, to its CR or ``;``, with
-the statement as it stands; they wait for it on a push-down list of seven places.
+CR and ``;`` make a word of it. ``=``, ``*``, FIELD and FIXMRI read an expression, to its CR or ``;``, without
+clearing the cells; meanwhile they wait on a push-down list of seven places.
 
 `pointer` is where in the symbol table the last look-up ended; ``,`` and ``=`` define what it points to,
-whatever that is. Other routines use the cell too and leave it pointing into page zero: words and origins as
+whatever it is. Other routines use the cell too and leave it pointing into page zero: words and origins as
 they are punched, lines without a word and form feeds as they are typed.
 
 Not emulated: what follows once PAL III has written over itself; `Stop` is raised then, as where it would
@@ -36,8 +36,8 @@ from pal.table import ENTRY, PSEUDO, UNDEFINED, VALUE, Stop, SymbolTable
 from tapes.binary import FIELD, ORIGIN, WORD
 
 START = 0o200  # the origin before any other
-TELETYPE_SYMBOLS = 585  # room for the source's symbols with the source in the ASR-33's reader
-HIGH_SPEED_SYMBOLS = 489  # and in the high-speed reader, whose buffer takes the rest
+TELETYPE_SYMBOLS = 585  # how many symbols of the source the table takes, by the ASR-33's reader
+HIGH_SPEED_SYMBOLS = 489  # and by the high-speed reader, whose buffer takes the rest
 
 _MASK = 0o7777
 _OPERATORS = {" ": 0, "\t": 0, "+": 1, "-": -1}
@@ -48,7 +48,7 @@ _SAFE_IN_3 = 0o12  # up to here in page zero pass 3 does not mind what is stored
 _REREAD = 7  # the letter of a number that is read twice, and counts so
 _TO_BLANKS = (10, 13, 14)  # letters of a number after which blank frames seem to be read
 _BLANK = "\x80"
-_RESUMED = "!"  # a number that goes on after an illegal character begins so
+_RESUMED = "!"  # marks a number that is read on after an illegal character
 
 
 class Message(NamedTuple):
@@ -115,7 +115,7 @@ class Entry(NamedTuple):
 class Assembler:
     """One run of PAL III over a source: `run` pass 1, 2 and 3, in this order.
 
-    capacity  room for symbols of the source; the high-speed reader's, HIGH_SPEED_SYMBOLS, stands for that
+    capacity  how many symbols of the source the table takes; HIGH_SPEED_SYMBOLS means the high-speed
               reader, which at PAUSE loses what it has read ahead, the rest of the line
     table     the symbols of the source as the last pass left them, in the order of the symbol table
     output    its messages and what it punched or listed
@@ -168,7 +168,7 @@ class Assembler:
         return self.output
 
     def values(self) -> dict[str, int]:
-        """Return {name: value} of all symbols as they stand, the permanent ones included."""
+        """Return {name: value} of all symbols, the permanent ones included."""
         return self._symbols.values()
 
     def _clear(self) -> None:
@@ -222,7 +222,7 @@ class Assembler:
     # `pal.watched` overrides what follows, to note where a source means something else than it says.
 
     def _see_before(self, pointer: int) -> None:
-        """Something stands before the memory reference at `pointer`."""
+        """Something comes before the memory reference at `pointer`."""
 
     def _see_reference(self) -> None:
         """A memory reference has the operation 0400, or a Z and an address on another page."""
@@ -258,7 +258,7 @@ class Assembler:
         """A name has more than six characters."""
 
     def _look_up(self, name: str, mark: str) -> bool:
-        """Look an item up; return whether its mark is still to be acted upon."""
+        """Look an item up; return whether the mark after it still has to be obeyed."""
         self._made = True
         symbols = self._symbols
         found = symbols.index.get(name)
@@ -283,7 +283,7 @@ class Assembler:
         return pointer >= PSEUDO or self._act(mark)
 
     def _act(self, mark: str) -> bool:
-        """Do what the pseudo-operator just read says; return whether its mark is still to be acted upon."""
+        """Obey the pseudo-operator just read; return whether the mark after it still has to be obeyed."""
         self._room_for(1)
         self._see_pseudo(self._pointer)
         self._made = False
@@ -326,7 +326,7 @@ class Assembler:
             self._address = self._address + self._operator * self._item & _MASK
 
     def _point(self) -> None:
-        """``.``: the item is the location, after what was read; the operator stands for both."""
+        """``.``: apply what was read, then the location, both by the same operator."""
         if self._made:
             if self._operator:
                 self._see_point()

@@ -33,7 +33,7 @@ def assemble(
     sources   frames, with channel 8 or without, or texts; in a text a character beyond ASCII is illegal
     names     what the diagnostics call each tape
     modern    fold lower case
-    capacity  room for symbols of the source, by its reader: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
+    capacity  how many symbols of the source the table takes: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
     model     one of models.MODELS: the diagnostics note what other models do otherwise
     dialect   "pal3", "pal8", or "auto": PAL III where the source is clean, or else PAL8 where it is clean or

@@ -58,7 +58,7 @@ class Assembly:
 
     @property
     def mentions(self) -> "list[Mention]":
-        """The symbols where they stand, without the pseudo-operators."""
+        """Where each symbol is used or defined, without the pseudo-operators."""
         raise NotImplementedError
 
     @property
@@ -106,7 +106,7 @@ class Assembly:
         raise NotImplementedError
 
     def place(self, at: int) -> "Place":
-        """Return where a mention or a message stands in the source."""
+        """Return the place in the source of a mention or a message."""
         raise NotImplementedError
 
     def first(self) -> int:

@@ -123,7 +123,7 @@ class Assembly3(Assembly):
 
     @cached_property
     def _third(self) -> Watched:
-        """The assembler after pass 3; where it stopped before, as it was then."""
+        """The assembler after pass 3, or after the pass in which it stopped."""
         if not self.stopped:
             self._assembler.run(3)
         return self._assembler

@@ -135,7 +135,7 @@ def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], P
 
 
 def _silenced(text: str, code: str) -> bool:
-    """Tell whether a comment of the line silences the notes of `code`: `/ pal: PN06`."""
+    """Whether a comment of the line silences the notes of `code`: `/ pal: PN06`."""
     comment = text.partition("/")[2].lower()
     return "pal:" in comment and code.lower() in comment.partition("pal:")[2]
 

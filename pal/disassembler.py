@@ -7,22 +7,38 @@
 
 A tape that PAL III punched comes back frame for frame: every origin is kept, equal and overlapping ones too.
 One of PAL8 comes back word for word.
-Microinstructions are named, combined ones as a combination; what no combination of PAL III's symbols
-gives is an octal number, as is an instruction on page zero with the current page bit, which PAL III
-cannot write. A word that is fetched, stored, counted or called, and to which nothing jumps, is a number
-as well.
 
-Not emulated: telling instructions from numbers where no instruction refers to them.
+Combined microinstructions are written as a combination. What PAL III's symbols cannot give is an octal
+number, as is an instruction on page zero with the current page bit. If entries are given, what is reached
+from them is code and the rest is numbers; otherwise a word that is fetched, stored, counted or called, and to
+which nothing jumps, is a number.
+
+Symbols give words their tags; without one a tag is L and its address.
+
+Not emulated: distinguishing instructions from numbers where no instruction refers to them.
 
 Sources: the table of symbols; Small Computer Handbook (operate groups).
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from pal.assembler import HIGH_SPEED_SYMBOLS, START
-from pal.isa import CURRENT_PAGE, INDIRECT, IOT, JMP, OPERATIONS, PAGE, REVERSED, refers_to
-from pal.symbols import PERMANENT
+from pal.isa import (
+    CURRENT_PAGE,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPERATIONS,
+    PAGE,
+    REVERSED,
+    halts,
+    refers_to,
+    tests_flag,
+)
+from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 from tapes import binary, codes, rim
 from tapes.binary import FIELD, ORIGIN, WORD
 
@@ -32,6 +48,7 @@ _BARE = binary.tape(binary.origin(START), sum(binary.origin(START)))
 _PLAIN = [symbol for symbol in PERMANENT if not symbol.memory_reference]
 _BY_OCTAL = {symbol.octal: symbol.mnemonic for symbol in reversed(_PLAIN)}
 _BY_NAME = {symbol.mnemonic: symbol.octal for symbol in _PLAIN}
+_PERMANENT = {*(symbol.mnemonic for symbol in PERMANENT), *PSEUDO_OPERATORS}
 _GROUP_1 = ("CLA", "CLL", "CMA", "CML", "RTR", "RTL", "RAR", "RAL", "IAC")
 _SKIPS = ("SMA", "SZA", "SNL")
 _REVERSED_SKIPS = ("SPA", "SNA", "SZL", "SKP")
@@ -45,17 +62,28 @@ class Piece(NamedTuple):
     address: int = 0
 
 
-def disassemble(words: Mapping[int, int]) -> str:
-    """Return PAL source for {address: word}; the field is above the twelve bits of an address."""
-    return _source(_pieces_of(sorted(words), words))
+def disassemble(
+    words: Mapping[int, int], symbols: Mapping[str, int] | None = None, entries: Sequence[int] = ()
+) -> str:
+    """Return PAL source for {address: word}; the field is above the twelve bits of an address.
+
+    symbols  {name: address}: tags for the words
+    entries  addresses at which the program is started: only what is reached from them is code
+    """
+    return _source(_pieces_of(sorted(words), words), symbols or {}, entries)
 
 
-def disassemble_tape(frames: bytes) -> str:
-    """Return PAL source for a BIN or RIM tape. Raises TapeError: no such tape, a damaged one."""
+def disassemble_tape(
+    frames: bytes, symbols: Mapping[str, int] | None = None, entries: Sequence[int] = ()
+) -> str:
+    """Return PAL source for a BIN or RIM tape, as `disassemble`.
+
+    Raises TapeError: no such tape, a damaged one.
+    """
     if codes.recognise(frames) is codes.RIM and _BARE not in frames:
         words = rim.decode(frames)
-        return _source(_pieces_of(words, words))
-    return _source(_pieces_on(frames))
+        return _source(_pieces_of(words, words), symbols or {}, entries)
+    return _source(_pieces_on(frames), symbols or {}, entries)
 
 
 def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
@@ -100,54 +128,81 @@ def _pieces_on(frames: bytes) -> Iterator[Piece]:
             silent = False
 
 
-def _source(pieces: Iterable[Piece]) -> str:
+def _source(pieces: Iterable[Piece], symbols: Mapping[str, int], entries: Sequence[int]) -> str:
     tape = list(pieces)
-    labels = _Labels(tape)
-    return "".join(_line(piece, labels) for piece in tape) + "$\n"
+    labels = _Labels(tape, symbols, entries)
+    lines = [_line(piece, labels) for piece in tape]
+    return "\n".join([*labels.definitions(), *lines, "$", ""])
 
 
 def _line(piece: Piece, labels: "_Labels") -> str:
     if piece.kind == FIELD:
-        return f"FIELD {piece.value}\n"
+        return f"FIELD {piece.value}"
     if piece.kind == ORIGIN:
-        return f"*{piece.value:o}\n"
+        return f"*{piece.value:o}"
     tag = labels.define(piece.address)
     text = labels.text(piece)
     tabs = "\t" * (1 if len(text) >= 8 else 2)
-    return f"{tag}\t{text}{tabs}/{piece.address:04o} {piece.value:04o}\n"
+    return f"{tag}\t{text}{tabs}/{piece.address:04o} {piece.value:04o}"
 
 
 class _Labels:
     """Which words have a tag, and which are numbers and not instructions.
 
-    There are no more tags than PAL III's symbol table has room for by either reader, whose buffer may take
-    the last place; jumps have the first claim to them.
+    There are no more tags than PAL III's symbol table takes by either reader: first the symbols given, then
+    what is jumped to.
     """
 
-    def __init__(self, tape: list[Piece]) -> None:
-        words = {piece.address for piece in tape if piece.kind == WORD}
-        self._jumped_to: set[int] = set()
-        self._handled: set[int] = set()
+    def __init__(self, tape: list[Piece], symbols: Mapping[str, int], entries: Sequence[int]) -> None:
+        words = {piece.address: piece.value for piece in tape if piece.kind == WORD}
+        self._names: dict[int, str] = {}
+        banks = {address & 0o70000 for address in words}
+        bank = min(banks) if len(banks) == 1 else 0
+        for name, address in symbols.items():
+            if name not in _PERMANENT:
+                self._names.setdefault(bank | address, name)
+        self._taken = set(symbols)
+        jumped_to: set[int] = set()
+        handled: set[int] = set()
+        outside: set[int] = set()
         for piece in tape:
             target = _target(piece)
             if target in words:
                 jump = piece.value >> 9 == JMP and not piece.value & INDIRECT
-                (self._jumped_to if jump else self._handled).add(target)
-        claims = sorted(self._jumped_to) + sorted(self._handled - self._jumped_to)
-        self._tagged = frozenset(claims[: HIGH_SPEED_SYMBOLS - 1])
+                (jumped_to if jump else handled).add(target)
+            elif target is not None and target in self._names:
+                outside.add(target)
+        self._numbers = set(words) - _reached(words, entries, handled) if entries else handled - jumped_to
+        named = [address for address in self._names if address in words]
+        first = [*sorted(outside), *sorted(named), *sorted(jumped_to), *sorted(handled)]
+        self._tagged: set[int] = set()
+        for address in first:
+            if self._tag(address) and len(self._tagged) < HIGH_SPEED_SYMBOLS - 1:
+                self._tagged.add(address)
+        self._outside: list[int] = sorted(address for address in outside if address in self._tagged)
         self._undefined = set(self._tagged)
+
+    def _tag(self, address: int) -> str:
+        """Return the tag for an address, "" if it would be another's."""
+        name = self._names.get(address, "")
+        made = f"L{address:04o}"
+        return name or ("" if made in self._taken else made)
+
+    def definitions(self) -> list[str]:
+        """Return lines that define the symbols of addresses without a word."""
+        return [f"{self._tag(address)}={address & 0o7777:o}" for address in self._outside]
 
     def define(self, address: int) -> str:
         """Return the tag for the word at `address`, the first time; otherwise ""."""
         if address not in self._undefined:
             return ""
         self._undefined.discard(address)
-        return _tag(address) + ","
+        return self._tag(address) + ","
 
     def text(self, piece: Piece) -> str:
         """Return the word as source."""
         number = f"{piece.value:o}"
-        if piece.address in self._handled and piece.address not in self._jumped_to:
+        if piece.address in self._numbers:
             return number
         if piece.value >> 9 > JMP:
             return microinstruction(piece.value) or number
@@ -155,12 +210,36 @@ class _Labels:
         if target is None:
             return number
         indirect = "I " if piece.value & INDIRECT else ""
-        address = _tag(target) if target in self._tagged else f"{target & 0o7777:o}"
+        address = self._tag(target) if target in self._tagged else f"{target & 0o7777:o}"
         return f"{OPERATIONS[piece.value >> 9]} {indirect}{address}"
 
 
-def _tag(address: int) -> str:
-    return f"L{address:04o}"
+def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]) -> set[int]:
+    """Return the addresses that are executed if the program is started at each of the entries.
+
+    Execution continues after HLT, but not into a word that is `handled` as data.
+    """
+    reached: set[int] = set()
+    called: set[int] = set()
+    waiting = list(entries)
+    while waiting:
+        address = waiting.pop()
+        if address in reached or address not in words:
+            continue
+        reached.add(address)
+        word = words[address]
+        target = address & 0o70000 | refers_to(word, address & 0o7777)
+        if word >> 8 == JMP << 1:
+            waiting.append(target)
+        elif word >> 9 != JMP and not (halts(word) and address + 1 in handled):
+            waiting.append(address + 1)
+        if word >> 8 == JMS << 1:
+            waiting.append(target + 1)
+            called.add(target)
+        skips = word & 0o7401 == 0o7400 and word & 0o170 != 0
+        if skips or tests_flag(word) or word >> 9 == ISZ:
+            waiting.append(address + 2)
+    return reached - called
 
 
 def _target(piece: Piece) -> int | None:

@@ -1,4 +1,4 @@
-"""The source tapes of a program as an editor asks about them: which symbol stands where, and what it means.
+"""The source tapes of a program as an editor asks about them: where each symbol is, and what it means.
 
 Tapes, lines and columns count from 0; columns are code points. The answers come from the assembly that `pal`
 makes of the same tapes.
@@ -43,7 +43,7 @@ class Span(NamedTuple):
 
 
 class Occurrence(NamedTuple):
-    """A symbol where it stands, as it is written there; and whether it is defined there."""
+    """One use of a symbol: where, as it is written there, and whether it is defined there."""
 
     span: Span
     written: str
@@ -120,11 +120,11 @@ class Document:
         return found
 
     def places(self, name: str, defined: bool | None = None) -> list[Span]:
-        """Return where `name` stands; only where it is, or is not, `defined`."""
+        """Return where `name` is used; only where it is, or is not, `defined`."""
         return [each.span for each in self.occurrences.get(name, ()) if defined in (None, each.defined)]
 
     def written(self, name: str) -> str:
-        """Return a symbol as it is written where it first stands, with all its letters."""
+        """Return a symbol as it is first written, with all its letters."""
         return next((each.written for each in self.occurrences.get(name, ())), name)
 
     def refusal(self, name: str, new: str) -> str:
@@ -142,7 +142,7 @@ class Document:
         if called in {known[:SIGNIFICANT] for known in self.known}:
             return f"{called} is taken: it is a permanent symbol of {'PAL8' if pal8 else 'PAL III'}"
         if self.places(called):
-            return f"{called} is taken: it stands in line {self.places(called)[0].line + 1}"
+            return f"{called} is taken: it is in line {self.places(called)[0].line + 1}"
         return ""
 
     @cached_property

@@ -10,6 +10,7 @@ or with a form feed in it does not change, nor does a source that would then giv
 
 import re
 
+from pal.assembler import HIGH_SPEED_SYMBOLS
 from pal.assembling import assemble
 
 _ENDS = re.compile(r"(\r\n|\r|\n)")
@@ -29,6 +30,18 @@ def formatted(source: str, dialect: str) -> str:
     before, after = assemble(source, dialect=dialect), assemble(text, dialect=dialect)
     same = before.words == after.words and before.symbols == after.symbols
     return text if same and len(before.diagnostics) >= len(after.diagnostics) else source
+
+
+def silenced(source: str) -> str:
+    """Return a source with a comment on each line of which the assembler has a note, which silences it."""
+    lines = source.split("\n")
+    for found in assemble(source, capacity=HIGH_SPEED_SYMBOLS).diagnostics:
+        line = lines[found.line - 1]
+        if not found.error and "pal:" in line:
+            lines[found.line - 1] = f"{line} {found.code}"
+        elif not found.error:
+            lines[found.line - 1] = f"{line}{' ' if '/' in line else '/'}pal: {found.code}"
+    return "\n".join(lines)
 
 
 def _steady(line: str) -> str:

@@ -22,7 +22,7 @@ PAGE = 0o7600
 CURRENT_PAGE = 0o0200
 INDIRECT = 0o0400
 
-# Group 2 has GROUP_2 alone set, group 3 has all bits of GROUP_3, group 1 none.
+# Group 2 has only GROUP_2 set, group 3 has all bits of GROUP_3, group 1 none.
 GROUP_2, GROUP_3 = 0o400, 0o401
 CLA = 0o200
 CLL, CMA, CML, RAR, RAL, TWICE, IAC = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2, 0o1
@@ -42,20 +42,20 @@ def refers_to(word: int, location: int) -> int:
 
 
 def autoindexed(pointer: int) -> bool:
-    """Tell whether an indirect reference increments the word at `pointer` first."""
+    """Whether an indirect reference increments the word at `pointer` first."""
     return pointer & 0o7770 == 0o10
 
 
 def jumps_to(target: int, word: int, location: int) -> bool:
-    """Tell whether `word` at `location` is a direct JMP to `target`."""
+    """Whether `word` at `location` is a direct JMP to `target`."""
     return word >> 8 == _JMP << 1 and refers_to(word, location) == target
 
 
 def tests_flag(word: int) -> bool:
-    """Tell whether `word` is an IOT that sends a device IOP1 alone, such as KSF; ION is none."""
+    """Whether `word` is an IOT that sends a device only IOP1, such as KSF; not ION."""
     return word & 0o7007 == 0o6001 and word != 0o6001
 
 
 def halts(word: int) -> bool:
-    """Tell whether `word` has the HLT bit of group 2."""
+    """Whether `word` has the HLT bit of group 2."""
     return word & 0o7403 == 0o7402

@@ -12,7 +12,7 @@
       CR LF symbol, ..., CR LF,              place, CR LF; in pass 3 one that is not defined is an empty line
       EOT, CR LF, RUBOUT, trailer
 
-A TAB is followed by a RUBOUT, the time it takes; a form feed stands between six blank frames and six more.
+A TAB is followed by a RUBOUT, the time it takes; six blank frames come before and after a form feed.
 
 Source: the frames of DEC-08-ASB1.
 """
@@ -30,7 +30,7 @@ from tapes import frames
 EOT = "\x04"
 RUBOUT = "\x7f"
 NEW_LINE = "\r\n"
-LONGEST = 222  # characters of a line that pass 3 has room for
+LONGEST = 222  # characters of a line that pass 3 takes
 
 UNNUMBERED = " " * 12
 _FORM_FEED = "\0" * 6 + "\f" + "\0" * 6

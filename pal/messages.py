@@ -1,9 +1,9 @@
-"""All that is said of a source, in one table for both dialects: what is wrong, and what to do.
+"""Every message and note, in one table for both dialects: what is wrong, and what to do.
 
-A line has a key, what is wrong, and, after a bar or on the next line, what to do. The key is the code of a
-message of DEC's, or of a note of ours, whose code stays; where a code says several things, a word comes after
-it. `worded` fills in what stands in braces. docs/notes.md has a paragraph for each note; `pal.dialects` tells
-what PAL III has instead of another assembler's names, `pal.models` what a word does on other models.
+A line has a key, what is wrong, and, after a bar or on the next line, what to do. The key is DEC's code of a
+message, or our code of a note, which never changes; a word follows it where one code has several texts.
+`worded` fills in the values in braces. docs/notes.md explains each note; `pal.dialects` has the hints on
+other assemblers' names, `pal.models` the differences between models.
 
 Sources: DEC-08-ASAC-D, "Diagnostics", and DEC's PAL8 V10D have the codes; the sentences are ours.
 """
@@ -11,7 +11,9 @@ Sources: DEC-08-ASAC-D, "Diagnostics", and DEC's PAL8 V10D have the codes; the s
 from typing import NamedTuple
 
 STOPPED = "PS01"
-"""Where PAL III goes no further."""
+"""PAL III cannot continue."""
+UNLOADABLE = "PS02"
+"""No loader can load the tape."""
 
 NOT_OCTAL, COLON, NO_SLASH, MEANT, DIALECT = "PN05", "PN31", "PN32", "PN33", "PN36"
 
@@ -26,7 +28,7 @@ IR             illegal reference: {address} is neither on page zero nor on the p
 IR negative    illegal reference: {address} is neither on page zero nor on the page of {location}
                {used} is used; a negative number is referred to by a tag, as in M5, -5
 RD             redefinition: {name} has a value already and takes the new one | use another name
-ST             symbol table full: no room for {name}, and no tape | use fewer symbols
+ST             symbol table full: no place for {name}, and no tape | use fewer symbols
 UA             undefined: {name} is taken as {value}, the last address of its page
                define it with {name}, or {name}=
 UA EQU         undefined: {name} is taken as {value}, the last address of its page
@@ -35,11 +37,15 @@ UA tag         undefined: {name} is taken as {value}, the last address of its pa
                if it is the tag of line {line}, write {name}, there
 PS01           {why}
 PS01 name      {why} | {name} is PAL III's own; give it another name
+PS02 DTORG     no loader can load this tape: DTORG punches a block number
+               leave DTORG out: it is for DEC's typesetting
+PS02 RELOC     no loader can load this tape: it begins without an origin, as RELOC is still on at the end
+               end the source with RELOC, or begin it with an origin, as in *200
 """
 
 _OF_PAL8 = """\
 BE             too many literals within literals | DEC's PAL8 takes six in each other
-IC after       an operator after another | one stands between two terms
+IC after       an operator after another | write one between two terms
 IC *           * multiplies nothing: it begins an origin | ^ multiplies
 IC )           ) closes nothing | take it away
 IC ]           ] closes nothing | take it away
@@ -47,16 +53,16 @@ IC >           > closes no condition | take it away
 IC ,           , not directly after a tag | write one comma, directly after the tag
 IC =           = not directly after a symbol | write the symbol, and = without a blank
 IC :           illegal character : | a tag ends with a comma
-IC <           < is missing after the condition | it stands on the same line
+IC <           < is missing after the condition | write it on the same line
 IC "           no character after " | write it directly after, as in "A
 IC beside      {token} after a blank, which is an operator itself (OR) | leave no blank beside {token}
 IC blank       a blank after an operator | leave no blank: it is one itself (OR)
 IC no-break    a no-break space, which is no blank | write a blank
-IC other       {character} cannot stand here | DEC's PAL8 passes over it
+IC other       {character} does not belong here | DEC's PAL8 passes over it
 IC tag         {word} is no tag | a tag begins with a letter
 IC number      the letter {letter} in the number {word} | a symbol begins with a letter
 IC reference   no operator before {token} | a memory reference comes first in its word
-IC token       {token} cannot stand here | an operator, or a blank, stands between two terms
+IC token       {token} does not belong here | write an operator, or a blank, between two terms
 IC missing     something is missing here | write a symbol, a number, or a literal
 IC address     no address after {name}, which is no name | write an address
 IC Teletype    the Teletype has no {character} | write another
@@ -66,7 +72,7 @@ IC FIXMRI      FIXMRI without a definition | write it so: FIXMRI NAME=5000
 IC TEXT        a character that TEXT cannot have, as a TAB is | write a blank, or the code as a number
 ID             duplicate tag: {name} is {value} already | each tag has one place, use another name
 ID mark        {name} is no tag: it marks a memory reference | give the tag another name
-ID moved       {name} is {value} from pass 1, and stands at {location} in pass 2
+ID moved       {name} is {value} from pass 1 and is at {location} in pass 2
                something before it depends on what is defined after it; define that first
 IE             {name} gets no value: it is undefined | define it first
 II             indirect twice | write one I
@@ -94,7 +100,7 @@ PN01 groups    {names} is {word}: {one} and {other} are of different groups | wr
 PN01 skips     {names} is {word}: of two opposite skips one is turned round | write them as two instructions
 PN01 rotates   {names}: a word rotates once | write them as two instructions
 PN02           {address} has a word already; the later one is loaded over it
-               set the origin where there is room
+               set the origin where nothing is loaded
 PN03           text after $ is not read | put the $ at the end
 PN04           {number} does not fit into twelve bits: it is {word} | the most is 7777 octal, 4095 decimal
 PN04 PAL8      {number} does not fit into twelve bits: it is {word} | write it so: {octal} octal
@@ -105,23 +111,23 @@ PN07           JMS stores the return address over the instruction at {target}
 PN08           JMP to {target} runs the return address; a return is JMP I | write I to go where the word says
 PN09           {name} is the same symbol as {first}: six characters count
                let names differ in their first six characters
-PN10           what stands before this comma is part of the word
+PN10           what comes before this comma is part of the word
                a space puts even the tag there; write the tag first, the comma directly after it
-PN11           no symbol stands before this {mark}
+PN11           no symbol comes before this {mark}
                PAL III takes the symbol it looked up last; write the symbol directly before
-PN12           what stands before the equals sign, {word}, is part of the value
+PN12           what comes before the equals sign, {word}, is part of the value
                a space puts even the symbol there; write the equals sign directly after it
 PN13           {name} at the end of a statement leaves no word | put it on its own line
 PN13 Z         {name} at the end of a statement leaves no word | write Z before the address
 PN14           Z makes this refer to {target} on page zero | for {address}, on this page, leave out Z
-PN15           what stands before {name} is part of its address
+PN15           what comes before {name} is part of its address
                write what belongs to the address after the instruction, and nothing else beside it
 PN16           I without a memory-reference symbol makes an AND | write the instruction before I
 PN17           this makes an inclusive OR of it
                a space is an operator too, and the last one counts; leave no space after + or -
 PN18           the {sign} is used for {name} and for the location
                write the location first, or a space before the point
-PN19           what stands before it, {word}, is part of the operand | put it on its own line
+PN19           what comes before it, {word}, is part of the operand | put it on its own line
 PN19 name      {name} before the asterisk has no effect | put the origin on its own line
 PN20           {name} takes {what} | write a space and the operand after {name}
 PN21           FIXMRI makes {name} a memory reference, whatever it defines
@@ -133,15 +139,15 @@ PN23           FIXTAB keeps what is not defined yet: {names}
                it is in no symbol table and gets no UA; put FIXTAB after the definitions
 PN24           this is {word} on the tape and {listed} in the listing
                each pass assigns again, with the values that the last one left
-PN25           {name} is {value} from pass 1, and stands at {location} in pass 2
+PN25           {name} is {value} from pass 1 and is at {location} in pass 2
                an origin depends on a symbol that is defined after it; define it first
 PN26           what follows PAUSE on its line is lost | end the line after PAUSE
 PN27           no $ at the end | PAL III would wait for more tape; it is taken as if there were one
 PN27 PAL8      no $ at the end | DEC's PAL8 supplies it; palbart asks for it
 PN27 empty     the source is empty | write at least a $
-PN27 lost      what stands before this $ is lost | put the $ on its own line
-PN27 tapes     {tapes} not read | $ ends the source; on a tape that others follow, PAUSE stands instead
-PN28           a line of {length} characters: pass 3 has room for {longest}
+PN27 lost      what comes before this $ is lost | put the $ on its own line
+PN27 tapes     {tapes} not read | $ ends the source; a tape that others follow ends with PAUSE
+PN28           a line of {length} characters: pass 3 takes {longest}
                the tape is good, the listing is not; break the line
 PN29           the symbol table is just full: in the listing {name} is 0212
                the buffer of pass 3 begins at its value; use one symbol fewer
@@ -158,12 +164,14 @@ PN35           small letters are illegal characters in PAL III: {count} of them
                `pal --modern` reads them as capitals
 PN35 PAL8      small letters are capitals here; DEC's PAL8 passes over them (IC) | write capitals
 PN35 TEXT      small letters, which DEC's PAL8 leaves out (IC) | write capitals: six bits have no others
-PN36           taken for PAL8: it uses what PAL III lacks
+PN36           assembled as PAL8: in PAL III it has errors
                --dialect pal8 says so, --dialect pal3 keeps to PAL III
 PN36 other     in {dialect} this has no error: --dialect {option}
 PN37           {name}, {octal}, is no instruction of a PDP-8/L | it does nothing there, or something else
 PN37 field     {octal} is for field {field}, which a PDP-8/L of 4K lacks | without the MC8/L it does nothing
 PN38           {octal} {differs} | a program for all models does without
+PN39           the program runs on from {before} to {target}, where nothing is loaded | end it with HLT or JMP
+PN40           this waits for the printer's flag, which no TLS has raised | write TLS before it
 PN41           {name} was {value}, and is {now} from here on
                a use before its first definition sees the last value
 PN42           this is {value}; palbart, where a blank comes last, makes {other}
@@ -175,7 +183,7 @@ PN45 zero      division by 0 makes 0; palbart crashes
 PN46           the literal {value} is stored again: the source has left this page before
                palbart finds it; keep a page in one piece
 PN47           {name}, {octal}, is palbart's; in DEC's PAL8 it is undefined (US) | define it: {name}={octal}
-PN48           DEC's PAL8 ends the file at PAUSE; here it goes on
+PN48           DEC's PAL8 ends the file at PAUSE; here the rest is read
 PN49           {name}, which is defined below, is defined here in pass 2
                palbart takes it for undefined; define it before
 PN50           this $ is left out by a condition | palbart ends the condition here
@@ -185,13 +193,14 @@ PN53           there is no page {page}: this is page {taken}
                a field has pages 0 to 37; FIELD goes to another
 PN54           TEXT without a text is one word of 0 | write it so: TEXT /LETTERS/
 PN54 name      no name: the words are 0 | write it so: DEVICE SYS
-PN54 end       {mark} does not stand again: the text goes to the end of the line
+PN54 end       {mark} does not come again: the text goes to the end of the line
                a text ends with the character it begins with
 PN55           a line of {length} characters; DEC's PAL8 reads {most}, and loses code here | break the line
-PN56           a loader of BIN tapes takes this block number for a field, and more
-               it is for DEC's typesetting: leave it out
-PN56 RELOC     DEC's PAL8 punches no origin at the beginning: a RELOC comes last
-               end the source with an origin, as *200
+PN57           DEC's loaders are in 7612 to 7777, and BIN overwrites itself with this | put it below 7600
+PN58           no TSF waits for the printer, which loses what comes while it prints
+               write TSF, JMP .-1 after the TLS, or before it
+PN59           this waits for device {device}, which no PDP-8/L has | KSF waits for a key, TSF for the printer
+PN60           an interrupt goes to 0001, where nothing is loaded | put the handler there, or a JMP to it
 """
 
 

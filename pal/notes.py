@@ -1,4 +1,4 @@
-"""What a student should know about a program that assembles: notes, each with a code that stays.
+"""Notes on a program that assembles: what its author may not have meant. Each has a permanent code.
 
 A note points at something that the assembler accepts and the author hardly meant. `--strict` makes an error
 of each note; a comment with `pal:` and the code, as in `/ pal: PN06`, silences it on that line. docs/notes.md
@@ -13,7 +13,7 @@ Sources: Small Computer Handbook 1970 (operate groups); DEC-08-ASAC-D.
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from pal.assembler import Written
+from pal.assembler import START, Written
 from pal.isa import (
     CLA,
     DCA,
@@ -29,6 +29,7 @@ from pal.isa import (
     SNL,
     SZA,
     halts,
+    jumps_to,
     refers_to,
     tests_flag,
 )
@@ -36,8 +37,15 @@ from pal.messages import MEANT, NO_SLASH, worded
 from pal.symbols import SIGNIFICANT
 
 ASKED = 100
-"""Undefined names that others are looked for which are nearly the same."""
+"""For so many undefined names a similar known one is looked for."""
 _SKIPS = SMA | SZA | SNL
+_ION, _TSF, _TSK, _PRINT = 0o6001, 0o6041, 0o6045, (0o6044, 0o6046)
+_HANDLED = (0o3001, 0o4001, 0o5400)
+"""DCA 1, JMS 1 and JMP I 0: there is a handler."""
+_LOADERS = 0o7612
+"""Where DEC's loaders begin."""
+_FITTED = (0o00, 0o01, 0o02, 0o03, 0o04, 0o10, 0o76, 0o77)
+"""Devices that a PDP-8/L may have: high-speed reader and punch, Teletype, memory parity, DECtape."""
 _SAME_AS = {
     **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
     **{"ADD": "TAD", "LOAD": "TAD", "LDA": "TAD", "STORE": "DCA", "STO": "DCA", "INC": "IAC", "CLEAR": "CLA"},
@@ -69,7 +77,7 @@ Said = tuple[str, Note, str]
 
 
 class Mention:
-    """A symbol in the source: the item or place where it stands, and whether it is defined there."""
+    """One use of a symbol: its item or place in the source, and whether it is defined there."""
 
     def __init__(self, name: str, at: int, defined: bool) -> None:
         self.name = name
@@ -106,7 +114,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
             wrong = looked_at[key]
             if wrong:
                 notes.append(wrong._replace(at=written.at))
-    return notes + _flow(cells, instructions)
+    return notes + _flow(cells, instructions) + _run(cells, instructions) + _devices(cells, instructions)
 
 
 def _combination(written: Written, instructions: Mapping[str, int]) -> Note | None:
@@ -141,7 +149,7 @@ def _spelled(word: int) -> str:
 
 
 def _is_instruction(written: Written, instructions: Mapping[str, int]) -> bool:
-    """Tell whether a word is written as an instruction, or as a number that can hardly be anything else."""
+    """Whether a word is written with the name of an instruction."""
     return any(name in instructions for name in written.names)
 
 
@@ -177,7 +185,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
     for written, target in calls:
         cell = cells.get(target)
         if cell is None or cell.literal or halts(cell.word) or target == written.address:
-            continue  # HLT stands for a word that is not 0; JMS . asks where it is
+            continue  # HLT may be a word that is only not 0 yet; JMS . finds its own address
         if _is_instruction(cell, instructions) and target not in told:
             told.add(target)
             notes.append(note("PN07", written.at, target=f"{target:04o}"))
@@ -205,8 +213,77 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
     return notes
 
 
+def _run(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
+    """Return the notes on where the program, started at 0200, or a subroutine runs off its words or waits
+    for ever. It is followed as long as there is only one way.
+    """
+    called = {
+        refers_to(cell.word, cell.address) + 1
+        for address, cell in cells.items()
+        if cell.word >> 8 == JMS << 1 and address < 0o10000 and _is_instruction(cell, instructions)
+    }
+    found = [_followed(cells, instructions, START, False)]
+    found += [_followed(cells, instructions, start, True) for start in sorted(called - {START})]
+    return [each for each in found if each is not None]
+
+
+def _followed(
+    cells: dict[int, Written], instructions: Mapping[str, int], address: int, called: bool
+) -> Note | None:
+    """Return the note on what runs from `address` on, which is perhaps `called`."""
+    printing = called  # whether a TLS may have come before
+    passed: set[int] = set()
+    while address not in passed and address in cells:
+        passed.add(address)
+        cell = cells[address]
+        word = cell.word
+        following = cells.get(address + 1)
+        waits = tests_flag(word) and following is not None and jumps_to(address, following.word, address + 1)
+        if cell.literal or not (waits or _is_instruction(cell, instructions)):
+            return None
+        if waits:
+            device = word >> 3 & 0o77
+            if device not in _FITTED:
+                return note("PN59", cell.at, device=f"{device:02o}")
+            if word == _TSF and not printing:
+                return note("PN40", cell.at)
+            address += 1
+        elif halts(word) or _skips(word) or word >> 9 in (ISZ, JMS) or word >> 8 == JMP << 1 | 1:
+            return None
+        printing = printing or word in _PRINT
+        address = refers_to(word, address) if word >> 9 == JMP else address + 1 & 0o7777
+        if address not in cells and cell.address + 1 == address and (called or len(passed) > 2):
+            return note("PN39", cell.at, before=f"{cell.address:04o}", target=f"{address:04o}")
+    return None
+
+
+def _devices(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
+    """Return the notes on printing without waiting, on interrupts without a handler, on words over BIN."""
+    written = [cell for cell in cells.values() if _is_instruction(cell, instructions)]
+    used: dict[int, int] = {}
+    for cell in written:
+        used.setdefault(cell.word, cell.at)
+    notes = []
+    prints = [cell for cell in written if cell.word in _PRINT]
+    again = len(prints) > 1 or any(_jumps_over(cell, prints[0].address) for cell in written if prints)
+    if prints and again and not any(word in used for word in (_TSF, _TSK, _ION)):
+        notes.append(note("PN58", prints[0].at))
+    if _ION in used and 1 not in cells and not any(word in used for word in _HANDLED):
+        notes.append(note("PN60", used[_ION]))
+    over = [cell.at for address, cell in cells.items() if _LOADERS <= address <= 0o7777]
+    if over and min(cells) < 0o7600:
+        notes.append(note("PN57", over[0]))
+    return notes
+
+
+def _jumps_over(cell: Written, address: int) -> bool:
+    """Whether a word jumps back to an address or to one before it."""
+    direct = cell.word >> 8 == JMP << 1
+    return direct and refers_to(cell.word, cell.address & 0o7777) <= address <= cell.address
+
+
 def _changes_field(cells: dict[int, Written], address: int) -> bool:
-    """Tell whether a CIF stands just before, so that a JMP or JMS goes to another field."""
+    """Whether a CIF comes just before, so that a JMP or JMS goes to another field."""
     for before in (address - 1, address - 2, address - 3):
         cell = cells.get(before)
         if cell is not None and cell.word & 0o7702 == 0o6202:
@@ -215,7 +292,7 @@ def _changes_field(cells: dict[int, Written], address: int) -> bool:
 
 
 def _goes_on(word: int, before: Written | None) -> bool:
-    """Tell whether the word after `word` is reached: by it, or by a skip over it, but by that of no ISZ."""
+    """Whether the word after `word` is executed: after `word`, or by a skip other than ISZ over `word`."""
     operation = word >> 9
     if operation == JMS or halts(word):
         return False
@@ -225,7 +302,7 @@ def _goes_on(word: int, before: Written | None) -> bool:
 
 
 def _ends_loop(written: Written, before: Written | None) -> bool:
-    """Tell whether a word is the JMP back of a loop that an ISZ ends by skipping it."""
+    """Whether a word is the JMP back of a loop that an ISZ before it ends."""
     back = refers_to(written.word, written.address & 0o7777) <= written.address & 0o7777
     is_jump = written.word >> 9 == JMP and not written.word & INDIRECT
     return is_jump and back and before is not None and before.word >> 9 == ISZ
@@ -260,7 +337,7 @@ def meant(name: str, known: Iterable[str]) -> str | None:
 
 
 def _near(name: str, other: str) -> bool:
-    """Tell whether two letters exchanged, one more or less, or one of five, make one name of the other."""
+    """Whether two names differ by two letters exchanged, one letter more, or one letter of five or more."""
     shorter = min(len(name), len(other))
     start = [*(one == two for one, two in zip(name, other, strict=False)), False].index(False)
     rest, others = name[start:], other[start:]
@@ -270,9 +347,9 @@ def _near(name: str, other: str) -> bool:
 
 
 def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]) -> list[Note]:
-    """Return what was meant by undefined symbols, or that a line of several of them is text.
+    """Return notes on undefined symbols: a similar name, or that a line with several of them is text.
 
-    `undefined` are names, with the item or place where each stands and a number for its statement.
+    `undefined` are names, each with its item or place and a number for its statement.
     """
     lines: dict[int, list[tuple[str, int]]] = {}
     for name, at, line in undefined:
@@ -295,7 +372,7 @@ def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]
 def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> list[Note]:
     """Return the notes on names that are the same in their first six characters and are spelled otherwise.
 
-    `mentions` are names in full, with the item or place where they stand.
+    `mentions` are names in full, each with its item or place.
     """
     notes = []
     spelled: dict[str, str] = {}

@@ -12,6 +12,7 @@ Source: tapes of DEC-08-ASB1.
 
 from pal.assembler import Output, Punched, Written
 from tapes import binary, frames
+from tapes.frames import LEADER, RUBOUT
 
 START_UP = b"\0"
 BLOCK = "block"
@@ -25,7 +26,7 @@ def tape(output: Output) -> bytes:
 
 
 def frames_of(piece: Written | Punched) -> bytes:
-    """Return what stands on the tape for it."""
+    """Return its frames."""
     if isinstance(piece, Written):
         return binary.word(piece.word)
     if piece.kind == binary.FIELD:
@@ -40,3 +41,40 @@ def frames_of(piece: Written | Punched) -> bytes:
 def words(output: Output) -> dict[int, int]:
     """Return {address: word}, field n from n0000 on; where an address comes twice, the later word."""
     return {piece.address: piece.word for piece in output if isinstance(piece, Written)}
+
+
+def loaded(frames: bytes) -> dict[int, int]:
+    """Return what DEC's BIN loader makes of a tape that it was not made for, {address: word}.
+
+    Words before any origin are left out: they go to wherever the loader was last.
+    """
+    core: dict[int, int] = {}
+    address = -1
+    field = bank = 0
+    halves: list[int] = []
+    passed_over = False
+    for frame in frames:
+        if frame == RUBOUT:
+            passed_over = not passed_over
+        elif passed_over:
+            continue
+        elif frame >= 0o300:
+            field = (frame >> 3 & 7) << 12
+        elif len(halves) == 1:
+            halves.append(frame)
+            if halves[0] & 0o100:
+                address = _word(halves)
+                halves = []
+        elif halves and frame == LEADER:
+            break  # the last word is the checksum
+        elif halves or frame != LEADER:
+            if halves and address >= 0:
+                core[bank | address] = _word(halves)
+                address = address + 1 & 0o7777
+            halves = [frame]
+            bank = field
+    return core
+
+
+def _word(halves: list[int]) -> int:
+    return (halves[0] << 6 & 0o7700) + halves[1] & 0o7777

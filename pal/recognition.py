@@ -1,9 +1,9 @@
 """Which dialect a source is in.
 
-PAL III where it is clean there; else PAL8 where it is clean there and has a name or a character that PAL III
-lacks, or where a line of it that is right can be PAL8's alone and PAL8 has no more errors.
+PAL III if it has no error there; else PAL8 if it has none there. If it has errors in both, it is PAL8 if a
+line has something of PAL8's, and at most an undefined symbol wrong, and PAL8 has no more errors.
 
-A character that PAL III lacks shows at once that a source is not clean there; PAL8 is then tried first.
+A character that PAL III lacks shows at once that a source has errors there; then PAL8 is tried first.
 """
 
 import re
@@ -37,12 +37,10 @@ def found(
         if three.ok:
             return three
         eight = pal8()
-    said = three.messages
-    if eight.ok and not eight.is_empty() and any(message[:2] in ("IC", "UA") for message in said):
+    clean = eight.ok and not eight.is_empty()
+    if clean or (_is_pal8s(eight) and len(eight.errors) <= len(three.messages)):
         return _as_pal8(eight)
-    if _is_pal8s(eight) and len(eight.errors) <= len(said):
-        return _as_pal8(eight)
-    return compared(three, eight)
+    return three
 
 
 def _is_pal8s(assembly: "Assembly8") -> bool:
@@ -67,7 +65,7 @@ def compared(assembly: Assembly, other: Assembly) -> Assembly:
 
 
 def _is_beyond_pal3(sources: Sequence[str | bytes]) -> bool:
-    """Tell whether a character in the code of a source is none of PAL III's."""
+    """Whether the code of a source has a character that PAL III lacks."""
     for source in sources:
         first: list[str] = _MARK_OR_END.findall("\r" + characters(source))[:1]
         if first:

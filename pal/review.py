@@ -1,6 +1,6 @@
 """The notes on a PAL III source after its passes: on its words, names, lines and end.
 
-What the assembler itself comes across is in `pal.watched`.
+The notes that are found during the passes are in `pal.watched`.
 """
 
 from collections.abc import Sequence
@@ -89,7 +89,7 @@ def _illegal(source: Source, messages: Sequence[Message]) -> list[Note]:
 
 
 def _overlong(source: Source, ended: int) -> list[Note]:
-    """Note the first line that pass 3 has no room for."""
+    """Note the first line that is too long for pass 3."""
     for line, text in enumerate(source.text.split("\r")):
         if len(text) > LONGEST and source.line_ends[line] in range(ended):
             end = source.line_ends[line]

@@ -4,7 +4,7 @@
 answers come from document.py, about the texts of workspace.py.
 
 The setting `programs` lists the tapes of each program of several tapes, [["main.pal", "tables.pal"]]. It
-stands in initializationOptions, or in `pdp8` of workspace/didChangeConfiguration.
+is read from initializationOptions, or from `pdp8` of workspace/didChangeConfiguration.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -185,7 +185,7 @@ class Answers:
         return document, tape, document.name_at(tape, line, column)
 
     def _places(self, params: _Placed, defined: bool | None) -> Iterator[tuple[str, lsp.Range]]:
-        """Yield where the symbol at a place stands, in all tapes of the program."""
+        """Yield each place of the symbol at a position, in all tapes of the program."""
         document, _, name = self._at(params)
         tapes = self._workspace.tapes(params.text_document.uri)
         for span in document.places(name, defined):

@@ -69,7 +69,7 @@ class Source:
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
-        """For each item where in `text` it begins and where the character that ends it stands."""
+        """Of each item where in `text` it begins, and where the character is that ends it."""
         return [(match.start(), match.end() - 1) for match in _ITEM.finditer(self._code)]
 
     @cached_property
@@ -102,7 +102,7 @@ class Source:
         return next(symbols, end)
 
     def bare_tag(self, name: str) -> int | None:
-        """Return the item that may be the tag `name` without its comma: it begins a line that goes on."""
+        """Return the item that may be the tag `name` without its comma: it begins a line of several items."""
         items = self.items
         for at in [0, *(end + 1 for end in self.line_ends)]:
             if at + 1 < len(items):
@@ -112,7 +112,7 @@ class Source:
         return None
 
     def place(self, at: int) -> Place:
-        """Return where item `at` stands; for an empty one, the character that ends it."""
+        """Return the place of item `at`; of an empty one, that of the character that ends it."""
         from bisect import bisect_left
 
         line = bisect_left(self.line_ends, at)

@@ -1,4 +1,4 @@
-"""The symbol table of PAL III as it stands in core: a list of words, four for each symbol.
+"""The symbol table of PAL III as it is in core: a list of words, four for each symbol.
 
     0 to 2    the name, two characters a word; the first has 4000 while the symbol is undefined
     3         the value
@@ -24,7 +24,7 @@ _MASK = 0o7777
 _PERMANENT_END = PSEUDO + len(PERMANENT) * ENTRY
 _BOUNDARY = PSEUDO + sum(symbol.memory_reference for symbol in PERMANENT) * ENTRY
 _SPILL = 93  # the word that takes the first character of a name after an illegal one (late)
-_CORE = 0o2266  # the table's address in core (late; the room for symbols agrees)
+_CORE = 0o2266  # the table's address in core (late; the number of symbols agrees)
 _LINE_FEED = 0o212
 _SAFE = 0o17  # up to here in page zero passes 1 and 2 do not mind what is stored
 _LEFT_THERE = {1: 0o206, 2: 0o1073}  # words of page zero before pass 1; others are 0 (late)
@@ -39,7 +39,7 @@ class Stop(Exception):
 
 
 class SymbolTable:
-    """The symbol table, with room for `capacity` symbols of the source.
+    """The symbol table, for `capacity` symbols of the source.
 
     words     the words; `index` {name: where its symbol begins}
     first     where the symbols begin that are listed; `end`, where the table ends
@@ -62,7 +62,7 @@ class SymbolTable:
 
     @property
     def full(self) -> bool:
-        """Whether there is no room for another symbol."""
+        """Whether it takes no other symbol."""
         return self.end + ENTRY > self._room
 
     def enter(self, name: str, value: int) -> int:
@@ -78,7 +78,7 @@ class SymbolTable:
     def overwrite(self) -> None:
         """Take the first frame of a line, a line feed, into the buffer of pass 3, as its first line is read.
 
-        The buffer begins at the value of the last symbol that there is room for.
+        The buffer begins at the value of the last symbol that the table takes.
         """
         if self.full:
             self.words[self.end - ENTRY + VALUE] = _LINE_FEED
@@ -125,7 +125,7 @@ class SymbolTable:
         self.boundary = (PSEUDO if self.boundary == len(self.words) else self.boundary) + ENTRY
 
     def listed(self) -> list[int]:
-        """Return where the symbols stand that are listed, in the order of their names; of equal ones one."""
+        """Return the entries that are listed, in the order of their names; of equal names one."""
         entries = {}
         for entry in reversed(range(self.first, self.end, ENTRY)):
             first, second, third = self.name(entry)

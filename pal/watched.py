@@ -1,7 +1,7 @@
-"""PAL III with an eye on what it makes of a source that means something else than it says.
+"""PAL III, noting where a source means something else than it says.
 
-PAL III is silent there, and the tape is the same; a person would rather know. `Watched` is the assembler
-itself, which notes what it comes across in the passes that run anyway; `pal.review` adds what the source
+PAL III itself says nothing there, and the tape is the same. `Watched` is the assembler with notes that are
+found in the passes that run anyway; `pal.review` adds what the source
 and the words show. A source of which there is nothing to note never loads `pal.notes`.
 """
 
@@ -20,7 +20,7 @@ NAMES = {*(symbol.mnemonic for symbol in PERMANENT), *(name[:SIGNIFICANT] for na
 
 
 class Watched(Assembler):
-    """The assembler with an eye on what it makes of a source: `notes`, and the item where it `ended`.
+    """The assembler with its `notes`, and the item at which it `ended`.
 
     moved     whether an assignment in pass 2 gave another value, so that pass 3 may differ
     cuts      whether a name has more than six characters
@@ -74,7 +74,7 @@ class Watched(Assembler):
 
     @property
     def _has_symbol(self) -> bool:
-        """Whether a symbol stands before the mark just read, if with blanks between."""
+        """Whether a symbol comes before the mark just read, perhaps with blanks between."""
         at, begun = self._at, self._source.begun(self._at)
         while at > begun and not self._items[at][0] and self._items[at - 1][1] in " \t":
             at -= 1

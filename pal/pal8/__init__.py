@@ -12,7 +12,7 @@ assembly     all of it together: the `Assembly` of a PAL8 source
 
 Where a term is missing, the symbol or number looked up last is taken again, as DEC's does.
 
-`exact` is DEC's own reading. Without it a source goes on where authors rely on palbart, and a note says so:
+`exact` is DEC's own reading. Without it some of what authors use with palbart is allowed too, with a note:
 small letters are capitals, a line is not cut after 80 characters, TEXT/AB/ needs no blank, PAUSE does not
 end the file, a tag may have the name of an instruction, and palbart's names are known where they are not
 defined. `wipe` is /W: what was put out of a page is forgotten, so that another overlay may go there.

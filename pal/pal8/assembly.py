@@ -1,6 +1,6 @@
 """What became of a source in PAL8.
 
-The listing has the form of PAL III's: location, word, source; a `@` stands after a word that goes by a link.
+The listing has the form of PAL III's: location, word, source; a `@` marks a word that refers through a link.
 """
 
 import re
@@ -11,6 +11,7 @@ from pal import punch
 from pal.assembler import Written
 from pal.assembly import PAL8, Assembly
 from pal.listing import UNNUMBERED, ListingLine, Teletype, octal, typed_frames
+from pal.messages import UNLOADABLE
 from pal.notes import (
     ERROR,
     NOTE,
@@ -48,12 +49,15 @@ class Assembly8(Assembly):
         self._run = run = Assembler(self._lines, wipe, exact)
         run.run()
         self._log = run.log
-        self.errors = self._errors()
+        self.errors = [*self._errors(), *run.log.faults]
         self.stopped: tuple[str, int] | None = None
         if run.fatal:
             last = run.log.complaints[len(run.log.complaints) - 1]
             self.stopped = (last.about, last.at)
-        self.words = {} if run.fatal else punch.words(run.punch.tape)
+        if run.fatal:
+            self.words = {}
+        else:
+            self.words = punch.loaded(self.tape) if run.log.faults else punch.words(run.punch.tape)
         self.ok = not self.errors
 
     def _errors(self) -> list[Note]:
@@ -67,8 +71,15 @@ class Assembly8(Assembly):
         ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:
-        """Tell whether a line without an error has one of these marks or names."""
-        wrong = {self._log.places[problem.at][0] for problem in self.errors}
+        """Whether a line has one of these marks or names, and no error but one undefined symbol."""
+        wrong: set[int] = set()
+        undefined: set[int] = set()
+        for error in self.errors:
+            index = self._log.places[error.at][0]
+            if error.code == "US" and index not in undefined:
+                undefined.add(index)
+            elif error.code != UNLOADABLE:
+                wrong.add(index)
         for index in range(min(self._run.ended, len(self._lines))):
             if index not in wrong:
                 for token in _TOKEN.findall(plain(self._lines[index].text).upper()):
@@ -107,7 +118,7 @@ class Assembly8(Assembly):
         return Place(line.tape, line.number, line.text, start, end)
 
     def _rows(self) -> Iterator[tuple[Written | None, int, str]]:
-        """Yield word, line and text of the listing: a line stands at its first word, literals at the end."""
+        """Yield word, line and text of the listing: the text with the line's first word; literals last."""
         lines = self._lines
         places = self._log.places
         shown = 0  # lines so far
@@ -170,7 +181,7 @@ class Assembly8(Assembly):
         return notes + self._on_names() + self._of_fields() + self._of_lines() + self._of_the_end()
 
     def _is_meant(self, at: int) -> bool:
-        """Tell whether the last origin before a place has a symbol or a point, as an overlay has."""
+        """Whether the last origin before a place has a symbol or a point, as an overlay has."""
         from bisect import bisect_left
 
         before = bisect_left(self._origins, self._log.places[at][0] + 1)
@@ -192,17 +203,17 @@ class Assembly8(Assembly):
             if len(name) == SIGNIFICANT:
                 longer.append((self._in_full(mention.at), mention.at))
             elif name in later and not mention.defined:
-                later.discard(name)  # it is told once
+                later.discard(name)  # one note is enough
                 notes.append(note("PN37", mention.at, name=name, octal=octal(known[name].value)))
         return [*notes, *self._on_undefined(), *of_names(longer, _INSTRUCTIONS)]
 
     def _on_undefined(self) -> list[Note]:
-        told = {self._named(error) for error in self.errors if "if it is a tag" in error.advice}
+        named = {self._named(error) for error in self.errors if "if it is a tag" in error.advice}
         places = []
         for error in self.errors:
             name = self._named(error)
-            if name and name not in told and name not in symbols.ELSEWHERE:
-                told.add(name)
+            if name and name not in named and name not in symbols.ELSEWHERE:
+                named.add(name)
                 places.append((name, error.at, self._statement(error.at)))
         return of_undefined(places, [*self.symbols, *_INSTRUCTIONS])
 
@@ -251,9 +262,6 @@ class Assembly8(Assembly):
         lines = self._lines
         if run.fatal:
             return []
-        if run.punch.tape and isinstance(run.punch.tape[0], Written):
-            at = run.log.line(min(run.ended, len(lines) - 1))
-            return [note("PN56 RELOC", at)]
         if run.ended == len(lines):
             at = run.log.line(len(lines) - 1)
             return [note("PN27 PAL8", at)]

@@ -126,7 +126,7 @@ class Expression:
             self._log.note("PN42", start, value=f"{self.value:04o}", other=other)
 
     def _term(self) -> bool:
-        """Take a term; return whether the expression may go on after it."""
+        """Take a term; return whether an operator may follow."""
         lexer = self._lexer
         table = self._table
         while True:
@@ -215,7 +215,7 @@ class Expression:
         return quotient
 
     def _take_symbol(self) -> bool:
-        """Take the symbol looked up last for a term; return whether the expression may go on after it."""
+        """Take the symbol looked up last as a term; return whether an operator may follow."""
         lexer = self._lexer
         found = self._table.found
         self.names.append(found.name)

@@ -11,7 +11,7 @@ class Lexer:
     index      the line, counted from 0; `text`, what is on it
     token      the token, "" at the end of a line; `first`, its first character, \n at the end of a line
     start      its column; `end`, the column after it; `before`, the column after the token before it
-    blank      whether blanks or TABs stand before it
+    blank      whether blanks or TABs come before it
     level      how many conditions are open: within one, `<` and `>` count in comments too
     radix      of numbers, 8 or 10
     """

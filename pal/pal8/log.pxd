@@ -10,7 +10,7 @@ cdef class Log:
     cdef public str tag
     cdef public bint misread
     cdef bint _has_illegal
-    cdef public list places, complaints, notes, mentions
+    cdef public list places, complaints, faults, notes, mentions
 
     cpdef int keep(self, int start, int end) except -1
     cpdef int keep_word(self, int start) except -1

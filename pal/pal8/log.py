@@ -31,8 +31,9 @@ class Log:
     misread     whether the statement as a whole was reported, so that its illegal characters are not
     places      [(line, first column, the one after)]: what complaints, notes and words refer to
     complaints  DEC's messages of both passes, in order
+    faults      why no loader can load the tape
     notes       what DEC's or palbart does otherwise
-    mentions    the symbols where they stand
+    mentions    where each symbol is used or defined
     """
 
     def __init__(self, lexer: Lexer) -> None:
@@ -43,6 +44,7 @@ class Log:
         self.misread = self._has_illegal = False
         self.places: list[tuple[int, int, int]] = []
         self.complaints: list[Complaint] = []
+        self.faults: list[Note] = []
         self.notes: list[Note] = []
         self.mentions: list[Mention] = []
 
@@ -70,7 +72,7 @@ class Log:
         return len(self.places) - 1
 
     def mention(self, name: str, start: int, end: int, defined: bool) -> None:
-        """Keep where a symbol stands, in pass 2."""
+        """Keep a use of a symbol, in pass 2."""
         if self.number == 2:
             self.mentions.append(Mention(name, self.keep(start, end), defined))
 
@@ -109,7 +111,7 @@ class Log:
         return self.keep(start, max(lexer.before, start + 1))
 
     def drop(self, after_reference: bool) -> None:
-        """Pass over a token that cannot stand here; a symbol of a memory reference may be before it."""
+        """Pass over a token that does not belong here: IC for each of its characters."""
         self.complain_of_token(self._illegal(self._lexer.token, after_reference))
         self._lexer.skip()
 
@@ -119,7 +121,7 @@ class Log:
             self.complain(said)
 
     def _illegal(self, token: str, after_reference: bool) -> Worded:
-        """Return what is said of a token that cannot stand here."""
+        """Return what is said of a token that does not belong here."""
         if self.misread:
             return Worded("IC", "", "")
         lexer = self._lexer

@@ -72,6 +72,10 @@ class Operators:
         self._lexer.pass_blank()
         return self._lexer.first not in "\n;>"
 
+    def _place(self) -> int:
+        """Keep the place of the pseudo-operator with its argument; return its number."""
+        return self._log.keep(self._start, self._lexer.before)
+
     def set_radix(self, radix: int) -> None:
         """DECIMAL, OCTAL."""
         self._lexer.radix = radix
@@ -100,7 +104,7 @@ class Operators:
     def zeros(self) -> None:
         """ZBLOCK n."""
         count = self._argument()
-        at = self._log.keep(self._start, self._lexer.before)
+        at = self._place()
         for _ in range(count):
             self._punch.write(0, at, self._expression.names, False)
 
@@ -109,7 +113,7 @@ class Operators:
         location, undefined = self._punch.loaded_at(), False
         if self._has_argument():
             location, undefined = self._argument(), self._table.undefined != 0
-        self._punch.relocate(location, undefined)
+        self._punch.relocate(location, undefined, self._place())
 
     def expunge(self) -> None:
         """EXPUNGE, in pass 1."""
@@ -132,7 +136,7 @@ class Operators:
                 self.assign(name, REFERENCE, start, end)
 
     def pause(self) -> None:
-        """PAUSE: DEC's reads no more of the file; here it goes on."""
+        """PAUSE: DEC's reads no more of the file; here the rest is read."""
         lexer = self._lexer
         if self._exact:
             lexer.end_file()
@@ -158,8 +162,7 @@ class Operators:
     def block(self) -> None:
         """DTORG n: punch a block number, for DEC's typesetting."""
         value = self._argument()
-        self._log.note("PN56", self._start)
-        self._punch.put_block(value)
+        self._punch.put_block(value, self._place())
 
     def device(self) -> None:
         """DEVICE: four characters."""
@@ -185,7 +188,7 @@ class Operators:
         if not characters and length > 2:
             self._log.note("PN54 name", self._start)
         characters = characters[:length].ljust(length, "\0")
-        at = self._log.keep(self._start, lexer.before)
+        at = self._place()
         for first in range(0, length, 2):
             self._write(ord(characters[first]), ord(characters[first + 1]), at)
 
@@ -272,7 +275,7 @@ class Operators:
             self._pass_over()
 
     def _pass_over(self) -> None:
-        """Pass over a condition that does not hold, from its `<` to its `>`, whatever is between."""
+        """Pass over a condition that does not hold, from its `<` to its `>`."""
         lexer = self._lexer
         began, end = lexer.index, lexer.end
         outside = lexer.level

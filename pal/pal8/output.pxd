@@ -13,7 +13,7 @@ cdef class Punch:
     cdef Log _log
     cdef Literals _literals
     cdef bint _wipe, _skips_origin
-    cdef int _field, _relocation, _next_relocation, _loading, _checksum
+    cdef int _field, _relocation, _next_relocation, _relocated_at, _bank, _loading, _checksum
     cdef public bint punching
     cdef public list written, tape
 

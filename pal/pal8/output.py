@@ -2,6 +2,7 @@
 
 from pal.assembler import START, Output, Punched, Written
 from pal.isa import ADDRESS, PAGE
+from pal.notes import note
 from pal.pal8.literals import END, Literals
 from pal.pal8.log import Log
 from pal.punch import BLOCK
@@ -25,6 +26,7 @@ class Punch:
         self._skips_origin = False
         self._relocation = 0  # from where a word runs to where it is loaded
         self._next_relocation = 0  # the same from the next origin on
+        self._relocated_at = 0  # the place of the last RELOC
         self.written: list[Written] = []
         self.tape: Output = []
 
@@ -32,7 +34,8 @@ class Punch:
         """Begin a pass."""
         self._field = 0
         self.punching = True
-        self._loading = START  # where the loader puts the next word, the field above the twelve bits
+        self._bank = 0  # the field that the loader is in, above the twelve bits
+        self._loading = -1  # the address where it puts the next word
         self._checksum = 0
         self._literals.clear()
         self.enter_page(START)
@@ -57,14 +60,17 @@ class Punch:
             self._literals.enter(location >> 7)
 
     def _put_word(self, written: Written) -> None:
-        """Keep a word, and punch it: after NOPUNCH it may be loaded elsewhere."""
+        """Keep a word, and punch it: it goes where the loader is, which after NOPUNCH may be elsewhere."""
         self.written.append(written)
         if not self.punching:
             return
-        if written.address != self._loading:
-            written = Written(self._loading, written.word, written.at, written.names)
         self.tape.append(written)
-        self._loading = self._loading & ~_MASK | self._loading + 1 & _MASK
+        if self._loading < 0:
+            if not self._log.faults:
+                self._log.faults.append(note("PS02 RELOC", self._relocated_at))
+        else:
+            written.address = self._bank | self._loading
+            self._loading = self._loading + 1 & _MASK
         self._checksum += (written.word >> 6) + (written.word & 0o77)
 
     def put(self, kind: str, value: int) -> None:
@@ -73,17 +79,19 @@ class Punch:
             return
         self.tape.append(Punched(kind, value))
         if kind == FIELD:
-            self._loading = value << 12 | self._loading & _MASK
+            self._bank = value << 12
         elif kind == ORIGIN:
-            self._loading = self._loading & ~_MASK | value
+            self._loading = value
             self._checksum += 0o100 + (value >> 6) + (value & 0o77)
         elif kind == BLOCK:
             self._checksum += value & 0o77
 
-    def put_block(self, value: int) -> None:
-        """Punch a block number; its first frame is in the checksum even after NOPUNCH."""
+    def put_block(self, value: int, at: int) -> None:
+        """DTORG: punch a block number; its first frame is in the checksum even after NOPUNCH."""
         self._checksum += 0o300 + (value >> 6)
         self.put(BLOCK, value)
+        if self._log.number == 2:
+            self._log.faults.append(note("PS02 DTORG", at))
 
     def begin_field(self, field: int) -> None:
         """Go to 0200 of a field."""
@@ -92,9 +100,10 @@ class Punch:
         self._literals.clear()
         self.enter_page(START)
 
-    def relocate(self, location: int, undefined: bool) -> None:
+    def relocate(self, location: int, undefined: bool, at: int) -> None:
         """RELOC: what follows runs at `location`; an origin is punched only where literals come before it."""
         self._skips_origin = True
+        self._relocated_at = at
         self._next_relocation = self._log.location + self._relocation - location & _MASK
         self._go_to(location, undefined)
 

@@ -12,7 +12,7 @@ REFERENCES = {
     "JMP": 0o5000,
 }
 MARKS = {"I": 0o0400, "Z": 0o0000}
-"""What may stand after a memory reference."""
+"""What may come between a memory reference and its address."""
 
 INSTRUCTIONS = {
     **{"NOP": 0o7000, "OPR": 0o7000, "IAC": 0o7001, "BSW": 0o7002, "RAL": 0o7004, "RTL": 0o7006},
@@ -66,8 +66,8 @@ PSEUDO_OPERATORS = tuple(HANDLERS)
 
 ELSEWHERE = {
     "DEFINE": "DEFINE makes a macro of MACRO-8; PAL8 has none: use a subroutine",
-    "TITLE": "TITLE is for palbart's listing with -a alone",
-    "BANK": "BANK is palbart's with -a alone: use FIELD",
+    "TITLE": "TITLE is for palbart's listing, with -a only",
+    "BANK": "BANK is palbart's, with -a only: use FIELD",
     "EQU": "EQU is another assembler's: PAL8 has =",
     "IFNZER": "IFNZERO is palbart's: write IFNZRO",
     "DUBL": "DUBL is palbart's: write both words in octal",

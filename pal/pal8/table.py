@@ -28,10 +28,11 @@ class Symbol:
 class SymbolTable:
     """The symbols by their names, and the one that was looked up last.
 
-    DEC's keeps `found` and `last` from statement to statement: where a term is missing, they are it.
+    DEC's keeps `found` and `last` from statement to statement, and takes them where a term is missing.
+    EXPUNGE and FIXTAB clear them, in pass 1.
 
     known         {name: symbol}
-    found         the symbol looked up last; `found_at`, the column where it stands
+    found         the symbol looked up last; `found_at`, its column
     last          the value of the symbol or number read last
     is_undefined  whether `found` is undefined
     undefined     whether something in the expression read last is undefined: not 0
@@ -125,11 +126,13 @@ class SymbolTable:
         self.expunged = True
         kept = [symbol for symbol in self.known.values() if symbol.kind in (MARK, PSEUDO)]
         self.known = {symbol.name[:SIGNIFICANT]: symbol for symbol in kept}
+        self._take(Symbol("", PLAIN, 0, False))
 
     def fix(self) -> None:
         """Make all symbols permanent."""
         for symbol in self.known.values():
             symbol.permanent = True
+        self._take(Symbol("", PLAIN, 0, False))
 
     def add_palbarts(self) -> None:
         """Add palbart's names that the source does not define."""

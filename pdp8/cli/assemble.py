@@ -1,6 +1,7 @@
 """The commands `pal` and `dis`: the assembler as one types it, and its inverse."""
 
 import os
+import re
 import sys
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -15,12 +16,14 @@ from pal.models import MODELS
 from pdp8 import shelf
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
+from pdp8.cli.shared.parameters import octal
 from pdp8.cli.shared.progress import Busy
 from pdp8.cli.shared.rules import option
 from tapes.errors import WorkError, called, naming, visible
 from tapes.quantities import counted
 
 _TEXT = Target("text")
+_SYMBOL = re.compile(r"([A-Z][A-Z0-9]{0,5})\s+([0-7]{1,5})")
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -298,8 +301,16 @@ def _passes(folder: str | None, source: str) -> list[str]:
 
 @click.command(cls=Command)
 @click.argument("tape", type=Source(), default="-")
+@click.option("--symbols", type=Source(), metavar="FILE", help="Take the tags from a symbol table of pal.")
+@click.option(
+    "--entry",
+    type=octal,
+    multiple=True,
+    metavar="OCTAL",
+    help="Take what is reached from here for code, the rest for numbers. Several may be given.",
+)
 @output(Target("source"))
-def dis(*, tape: str, output: str) -> None:
+def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
 
     TAPE is a file, a bundled tape's name, or - for standard input. A tape that PAL III punched comes back
@@ -309,8 +320,10 @@ def dis(*, tape: str, output: str) -> None:
     Examples:
       pdp8 dis eia.bin
       pdp8 dis eia.bin | pal - -o again.bin
+      pal add.pal -o add.bin --symbols add.sym; pdp8 dis add.bin --symbols add.sym --entry 200
     """
     from pal.disassembler import disassemble_tape
+    from pal.formatting import silenced
     from tapes import codes
     from tapes.code import Characters
     from tapes.loaders import Words
@@ -320,10 +333,22 @@ def dis(*, tape: str, output: str) -> None:
         code = codes.recognise(frames)
         if isinstance(code, Characters):
             raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
-        source = disassemble_tape(frames)
+        source = silenced(disassemble_tape(frames, _symbols(symbols), entry))
         notes = code.left_out(frames) if isinstance(code, Words) else ()
     command.put(output, source)
     command.say_of(tape, notes)
+
+
+def _symbols(name: str | None) -> dict[str, int]:
+    """Return {name: address} of a symbol table as `pal --symbols` writes it."""
+    found: dict[str, int] = {}
+    for number, line in enumerate(shelf.read_text(name).split("\n") if name else [], 1):
+        match = _SYMBOL.fullmatch(line.strip())
+        if match:
+            found[match[1]] = int(match[2], 8)
+        elif line.strip():
+            raise WorkError(f"{name}: line {number}: {line.strip()!r} is no name with an octal number")
+    return found
 
 
 def main() -> None:

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 import pal
 from pal.disassembler import disassemble, disassemble_tape, microinstruction
+from pal.formatting import silenced
 from tapes import binary, codes, rim
 from tests.conftest import case
 
@@ -104,3 +105,38 @@ def test_targets_have_tags_and_data_are_numbers() -> None:
     assert source == lines.split(";")
     zero = disassemble({0o20: 0o1021, 0o21: 0o1220}).split("\t")
     assert zero == ["*20\n", "TAD L0021", "/0020 1021\nL0021,", "1220", "", "/0021 1220\n$\n"]
+
+
+@given(
+    cores, st.dictionaries(st.sampled_from(["A", "B", "L0200", "CLA"]), words), st.lists(words, max_size=3)
+)
+def test_with_symbols_and_entries_the_words_come_back_and_nothing_is_noted(
+    core: dict[int, int], symbols: dict[str, int], entries: list[int]
+) -> None:
+    assembly = pal.assemble(silenced(disassemble(core, symbols, entries)))
+    assert (assembly.words, assembly.diagnostics) == (core, [])
+
+
+def test_entries_tell_code_from_numbers_and_symbols_name_words() -> None:
+    source = """\
+*200
+LOOP,\tTAD K
+\tDCA OUT
+\tJMS SUB
+\tJMP LOOP
+SUB,\t0
+\tISZ C
+\tJMP I SUB
+\tHLT
+K,\t7402
+C,\t1200
+OUT=300
+$
+"""
+    assembly = pal.assemble(source)
+    made = disassemble(assembly.words, assembly.symbols, [0o200])
+    assert [line.partition("/")[0].strip() for line in made.splitlines()] == [
+        *("OUT=300", "*200", "LOOP,\tTAD K", "DCA OUT", "JMS SUB", "JMP LOOP"),
+        *("SUB,\t0", "ISZ C", "JMP I SUB", "HLT", "K,\t7402", "C,\t1200", "$"),
+    ]
+    assert "K,\tHLT" not in disassemble(assembly.words, assembly.symbols)

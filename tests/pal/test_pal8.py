@@ -44,7 +44,6 @@ def errors(assembly: Assembly) -> list[str]:
 
 
 def test_decs_examples_have_decs_words_and_messages() -> None:
-    assert len(DECS) == 113
     for name, (source, words, messages) in DECS.items():
         with case(name):
             assembly = made(source, exact=True)
@@ -71,7 +70,6 @@ def test_the_model_agrees_with_decs_examples() -> None:
 
 
 def test_of_palbarts_examples_each_is_clean_and_has_its_words() -> None:
-    assert len(PALBARTS) == 100
     for name, (source, words) in PALBARTS.items():
         with case(name):
             assembly = made(source.encode("latin-1"))

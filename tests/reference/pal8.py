@@ -682,10 +682,12 @@ class _Pal8:
         if self.number == 1:
             for name in self.names.values():
                 name.permanent = True
+            self.tag, self.value2 = Name(), 0
 
     def do_expung(self):
         if self.number == 1:
             self.names = {name: it for name, it in self.names.items() if it.handler or it.iz}
+            self.tag, self.value2 = Name(), 0
 
     def do_text(self):
         self.raw = True

@@ -132,7 +132,7 @@ def test_a_source_in_pal8_is_found_and_taken(call: Call, tmp_path: Path) -> None
     for line in ("run five.pal", "monitor -"):
         status, shown, said = call(f"pdp8 {line}", b"load five.pal\n")
         assert status == 0
-        assert "five.pal: taken for PAL8: it uses what PAL III lacks" in shown + said
+        assert "five.pal: assembled as PAL8: in PAL III it has errors" in shown + said
         status, shown, said = call(f"pdp8 {line} --dialect pal3", b"load five.pal\n")
         assert status == 1
         assert "five.pal:2:6: error: IC  0250  AT  0200" in said

@@ -19,7 +19,7 @@ def test_what_is_found() -> None:
     pal8 = checked("a.pal", "*200\n\tCLA\n\tTAD (7)\n\tHLT\n$\n")
     assert pal8.ok
     assert (0o377, 7) in pal8.words
-    assert "taken for PAL8" in pal8.diagnostics[0].whole
+    assert "assembled as PAL8" in pal8.diagnostics[0].whole
 
 
 def test_it_says_what_pal_prints(call: Call) -> None:
