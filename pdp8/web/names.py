@@ -68,10 +68,9 @@ def needed(text: str, used: Iterable[str], called: Iterable[str]) -> str:
     parts = _PART.split(text)
     words = [frozenset(_WORD.findall(part)) for part in parts]
     own = [frozenset(_names(_DECLARED.findall(part))) for part in parts]
-    kept, wanted = [not names for names in own], set(used)
-    while True:
-        more = wanted.union(*compress(words, kept))
-        if more == wanted:
-            return "".join(compress(parts, kept))
-        wanted = more
+    wanted, before = set(used), set[str]()
+    while wanted != before:
+        before = set(wanted)
         kept = [not names or not names.isdisjoint(wanted) for names in own]
+        wanted.update(*compress(words, kept))
+    return "".join(compress(parts, kept))

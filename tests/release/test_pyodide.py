@@ -37,7 +37,7 @@ cut.stdout_bytes.hex()
 
 @pytest.mark.slow("starts a Python in WebAssembly")
 @pytest.mark.skipif(NODE is None, reason="node is not installed")
-@pytest.mark.skipif(not PYODIDE.is_dir(), reason="pyodide is not installed: npm install --prefix tests/node")
+@pytest.mark.skipif(not PYODIDE.is_dir(), reason="pyodide is not installed: npm ci --prefix tests/node")
 def test_the_main_job_runs_in_pyodide(tmp_path: Path) -> None:
     clicks = tmp_path / "click.zip"
     with zipfile.ZipFile(clicks, "w") as archive:

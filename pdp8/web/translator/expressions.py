@@ -550,16 +550,20 @@ class Expressions(Types):
             return self._both(self.item(one), self.item(other))
         if len(names) == 1 and names <= {"list", "set", "dict"}:
             return all(map(self._both, one.of, other.of))
-        of, to = self.program.classes.get(one.name), self.program.classes.get(other.name)
+        of, to = (self._own_class(each) for each in (one, other))
         if one.name == other.name == "Fraction":
             return True
-        if of and to and of.module.table == to.module.table == "":
+        if of and to:
             return (parts is None) == (others is None)
         lists, ours = (
             {"list", "tuple", "row", "dict", "set", "bytes", "bytearray", "words"},
             bool(of) or bool(to),
         )
         return ours and bool(names & lists) and parts is None and others is None and not (of and to)
+
+    def _own_class(self, kind: Type) -> Found | None:
+        of = self.program.classes.get(kind.name)
+        return of if of and not of.module.table else None
 
     def _both(self, one: Type, other: Type) -> bool:
         return all(self._equatable(a, b) for a in either(one) for b in either(other))
@@ -1076,6 +1080,8 @@ class Expressions(Types):
             self.fail(node, "what fills is not one character")
         if name == "int" and len(node.args) == 2 and whole(node.args[1]) not in (None, 8, 10):
             self.fail(node, "a base other than 8 and 10")
+        if any(isinstance(each, ast.Starred) for each in node.args) and not self.trusted:
+            self.fail(node, f"unpacked arguments of {name}", "each by itself")
         target = chosen or self.program.variants(found)[0]
         self._sorted(node, name, receiver)
         arguments = self._arguments(node, target, typed=False)
@@ -1175,7 +1181,7 @@ class Expressions(Types):
                 return f"{text}.length"
             case (("str" | "repr"), [value]) if not node.keywords:
                 return self.shown(self.e(value), kinds[0], node, name == "repr")
-            case "str", []:
+            case "str", [] if not node.keywords:
                 return '""'
             case "bool", [value]:
                 text = self.test(value)

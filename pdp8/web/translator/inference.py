@@ -752,8 +752,9 @@ class Types:
             else:
                 return None
         named = {each.arg: each.annotation for each in (*places[len(args) :], *of.kwonlyargs)}
+        by_place = {each.arg for each in of.posonlyargs}
         for keyword in keywords:
-            if keyword.arg in named:
+            if keyword.arg in named and keyword.arg not in by_place:
                 pairs.append((keyword.value, named[keyword.arg]))
             elif not of.kwarg and keyword.arg is not None:
                 return None

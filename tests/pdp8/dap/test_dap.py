@@ -32,7 +32,7 @@ class Seen(NamedTuple):
 def play(folder: Path, *steps: Step) -> Seen:
     """Hold a conversation: each step is a request, its arguments, the event that is to come of it."""
     if NODE is None or not (NPM / "node_modules" / "@vscode").exists():
-        pytest.skip("the debug client is not installed: npm install --prefix tests/node")
+        pytest.skip("the debug client is not installed: npm ci --prefix tests/node")
     whole = [[*step, *({}, None)[len(step) - 1 :]] for step in steps]
     asked = json.dumps({"adapter": [str(commands.BIN / "pdp8"), "dap"], "steps": whole})
     client = commands.start(NODE, NPM / "debug_client.mjs", folder=folder, stdin=PIPE)

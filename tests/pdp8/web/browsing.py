@@ -21,7 +21,7 @@ DESK = "#workbench"
 """Behind the address of the page: it opens at the desk, not in the room."""
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
 needs_axe = pytest.mark.skipif(
-    not AXE.exists(), reason="axe-core is not installed: npm install --prefix tests/node"
+    not AXE.exists(), reason="axe-core is not installed: npm ci --prefix tests/node"
 )
 
 

@@ -47,7 +47,7 @@ def modules() -> Path:
     """Return the folder in which all modules stand, for as long as this process lives."""
     folder = Path(tempfile.mkdtemp(prefix="pdp8-modules-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    write(folder, translator.translated())
+    write(folder, translator.translated(checked=True))
     return folder
 
 

@@ -17,7 +17,7 @@ pytestmark = [
     pytest.mark.slow("looks at all modules"),
     pytest.mark.skipif(
         not (TOOLS / "node_modules" / "eslint").is_dir(),
-        reason="eslint is not installed: npm install --prefix tests/node",
+        reason="eslint is not installed: npm ci --prefix tests/node",
     ),
 ]
 

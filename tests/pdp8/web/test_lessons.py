@@ -1,6 +1,7 @@
 """Exercises in the page: what `pdp8 check` says of solutions and wrong answers, the page's marks say too."""
 
 import json
+import random
 
 import pytest
 
@@ -57,3 +58,51 @@ def test_the_page_finds_the_place_that_the_command_finds() -> None:
         )
         wanted.append((place.says, place.instructions))
     assert [(each["says"], each["until"]) for each in called(*asked)] == wanted
+
+
+_ODD = (
+    "\f",
+    "\v",
+    "\x1c",
+    "\x85",
+    "\u2028",
+    "\r",
+    "\r\n",
+    "\n",
+    "\xa0",
+    "é",
+    "€",
+    "\U0001f600",
+    "\x7f",
+    "\t",
+    "\x01",
+)
+
+
+def _odd(draw: random.Random, source: str) -> str:
+    """Return a source with a few odd characters put in, most of them in comments."""
+    for _ in range(draw.randrange(1, 6)):
+        at = draw.randrange(len(source) + 1)
+        if draw.random() < 0.6:
+            at = source.find("\n", at) if source.find("\n", at) >= 0 else len(source)
+            source = f"{source[:at]} / {draw.choice(_ODD)}{draw.choice('AL5')} {source[at:]}"
+        else:
+            source = source[:at] + draw.choice(_ODD) + source[at:]
+    return source
+
+
+@needs_node
+@pytest.mark.slow("marks a thousand answers, twice")
+def test_odd_characters_and_line_ends_have_the_same_marks() -> None:
+    draw = random.Random(53)
+    wholes = [form.read(name) for name in form.bundled()]
+    exercises = [(each, student.whole(each)) for each in wholes]
+    answers = [(*draw.choice(exercises),) for _ in range(1000)]
+    sources = [_odd(draw, exercise.solution) for exercise, _ in answers]
+    asked = zip(answers, sources, strict=True)
+    there = called(
+        *(("pdp8/web/bench/marker", "marks", tables, "a.pal", text) for (_, tables), text in asked)
+    )
+    for (exercise, _), source, marks in zip(answers, sources, there, strict=True):
+        result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
+        assert (marks["right"], marks["points"]) == (result.right, result.points), (exercise.name, source)
