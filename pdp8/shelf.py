@@ -163,8 +163,15 @@ def read(name: str, most: int = LARGEST) -> bytes:
 def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
     from pdp8.computer.use import program
+    from tapes import dump, spelled
 
-    return program.read(read(name), name, force, dialect)
+    content = read(name)
+    dumped = None if spelled.found(content) else dump.found(content)
+    if dumped is None:
+        return program.read(content, name, force, dialect)
+    found = program.read(dumped.frames, name, force, dialect)
+    found.notes = (f"a dump in {dumped.notation}, read as {len(dumped.frames):,} frames", *found.notes)
+    return found
 
 
 def programs(names: Sequence[str], dialect: str = "auto") -> "Program":

@@ -10,7 +10,7 @@ or it has LF without CR, as a text file has.
 
 from typing import Final
 
-from tapes import codes, doubts, frames, octal, redundancy
+from tapes import codes, doubts, frames, octal, redundancy, spelled
 from tapes.code import Characters
 from tapes.errors import TapeError, TextError
 from tapes.loaders import Words
@@ -18,6 +18,8 @@ from tapes.loaders import Words
 TEXT, OCTAL, FRAMES = "text", "octal", "frames"
 FORMS: Final = (TEXT, *(code.name for code in codes.CODES), OCTAL)
 """What a tape is converted from and to."""
+TARGETS: Final = (*FORMS, FRAMES, *spelled.FORMATS)
+"""What it is converted to: its frames, or its words spelled out, too."""
 
 
 def convert(
@@ -28,11 +30,13 @@ def convert(
     fill: int | None = None,
     *,
     accept: bool = False,
+    force: bool = False,
 ) -> bytes:
-    """Convert the tape or file `content` from `source`, one of FORMS, to `target`, FRAMES or one of them.
+    """Convert the tape or file `content` from `source`, one of FORMS, to `target`, one of TARGETS.
 
     `parity` and `fill` say how ASCII is punched. Raises TapeError or TextError: characters cannot become
-    words; frames are doubtful, unless `accept` takes them as they were punched.
+    words; frames are doubtful, unless `accept` takes them as they were punched; a tape of words is damaged,
+    unless `force` takes what can be read.
     """
     code = codes.named(source)
     if source == OCTAL:
@@ -42,6 +46,8 @@ def convert(
         return content
     if target == OCTAL:
         return octal.decode(content).encode()
+    if isinstance(code, Words) and target in spelled.FORMATS:
+        return spelled.spell(target, _words(code, content, force)).encode()
     made = codes.named(target)
     title = b""
     if isinstance(code, Characters):
@@ -50,7 +56,7 @@ def convert(
         leader, body, trailer = frames.strip(content)
         return title + leader + frames.with_parity(body, parity) + trailer
     if isinstance(code, Words) and isinstance(made, Words):
-        return made.encode(code.decode(content))
+        return made.encode(_words(code, content, force))
     if (source == TEXT or isinstance(code, Characters)) and (target == TEXT or isinstance(made, Characters)):
         text = code.decode(content) if isinstance(code, Characters) else typed(content)
         punched = 6 if fill is None else fill
@@ -63,6 +69,10 @@ def convert(
     raise TapeError(
         f"{TEXT if source == TEXT else code.article} cannot become {target}; octal takes any tape"
     )
+
+
+def _words(code: Words, content: bytes, force: bool) -> dict[int, int]:
+    return code.readable(content) if force else code.decode(content)
 
 
 def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[bytes, bytes]:

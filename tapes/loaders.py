@@ -46,6 +46,10 @@ class Words(Code):
         """Return {address: word}. Raises TapeError with the frame of the damage."""
         raise NotImplementedError
 
+    def readable(self, frames: bytes) -> dict[int, int]:
+        """Return {address: word} of a damaged tape as far as it can be read. Raises TapeError."""
+        raise NotImplementedError
+
     def damage(self, frames: bytes) -> TapeError | None:
         """Return what is wrong with a tape, None if nothing is."""
         raise NotImplementedError
@@ -131,6 +135,9 @@ class _Bin(Words):
 
     def decode(self, frames: bytes) -> dict[int, int]:
         return binary.decode(frames).words
+
+    def readable(self, frames: bytes) -> dict[int, int]:
+        return binary.content(binary.read(frames)).words
 
     def damage(self, frames: bytes) -> TapeError | None:
         try:
@@ -237,6 +244,9 @@ class _Rim(Words):
 
     def decode(self, frames: bytes) -> dict[int, int]:
         return rim.decode(frames)
+
+    def readable(self, frames: bytes) -> dict[int, int]:
+        return rim.read(frames).words
 
     def damage(self, frames: bytes) -> TapeError | None:
         try:

@@ -309,8 +309,9 @@ def _passes(folder: str | None, source: str) -> list[str]:
     metavar="OCTAL",
     help="Take what is reached from here for code, the rest for numbers. Several may be given.",
 )
+@click.option("--force", is_flag=True, help="Take what can be read of a damaged tape.")
 @output(Target("source"))
-def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], output: str) -> None:
+def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.
 
     TAPE is a file, a bundled tape's name, or - for standard input. A tape that PAL III punched comes back
@@ -324,19 +325,26 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], output: str) 
     """
     from pal.disassembler import disassemble_tape
     from pal.formatting import silenced
-    from tapes import codes
+    from tapes import binary, codes, dump, spelled
     from tapes.code import Characters
     from tapes.loaders import Words
 
     frames = shelf.read(tape)
+    words, dumped = spelled.found(frames), dump.found(frames)
+    said = [words.note] if words else [f"a dump in {dumped.notation}"] if dumped else []
+    frames = words.tape if words else dumped.frames if dumped else frames
     with naming(tape):
         code = codes.recognise(frames)
         if isinstance(code, Characters):
             raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
-        source = silenced(disassemble_tape(frames, _symbols(symbols), entry))
+        damage = code.damage(frames) if isinstance(code, Words) and force else None
         notes = code.left_out(frames) if isinstance(code, Words) else ()
+        if damage and isinstance(code, Words):
+            frames = binary.encode(code.readable(frames))
+            said.append(f"{damage}; disassembled as far as it can be read")
+        source = silenced(disassemble_tape(frames, _symbols(symbols), entry))
     command.put(output, source)
-    command.say_of(tape, notes)
+    command.say_of(tape, (*said, *notes))
 
 
 def _symbols(name: str | None) -> dict[str, int]:

@@ -3,7 +3,7 @@
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import click
@@ -14,14 +14,15 @@ from pdp8.cli.shared.arguments import Command, Source
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
-from pdp8.monitor.commands import COMMANDS, do
+from pdp8.monitor.commands import COMMANDS, do, do_file
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import next_tape
-from pdp8.monitor.simh import do_file, take_off
+from pdp8.monitor.simh import take_off
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
     from pdp8.cli.running.keyboard import Terminal
+    from pdp8.computer.use.trace import Listing
 
 
 @click.command(cls=Command)
@@ -90,6 +91,31 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
         if made.finished:
             return
     take_off(made)
+
+
+def sit_down(
+    machine: Machine,
+    listing: "Listing",
+    max_time: float | None,
+    realtime: bool,
+    pass_on: Callable[[], object],
+) -> Stop | None:
+    """Run with the terminal as the Teletype until the machine stops, then return how; after Ctrl-] be its
+    monitor, then return None.
+    """
+    from pdp8.cli.running.keyboard import Terminal
+
+    terminal = Terminal(pass_on)
+    click.echo("Teletype on line; Ctrl-] stops, and leaves to the monitor.", err=True)
+    stop, left = terminal.run(machine, max_time, realtime)
+    terminal.end_line()
+    if not left:
+        return stop
+    made = Monitor(terminal.say, machine, listing)
+    made.realtime = realtime
+    made.say_stop(stop)
+    converse(made, terminal)
+    return None
 
 
 def _typed() -> Iterator[str]:

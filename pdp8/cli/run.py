@@ -88,7 +88,7 @@ class Options:
         option(
             "--keyboard",
             is_flag=True,
-            help="Type at the Teletype and see it print; Ctrl-] leaves to the monitor.",
+            help="Type at the Teletype and see it print; Ctrl-] stops, into the monitor.",
         ),
     ]
     line: Annotated[
@@ -359,7 +359,7 @@ def _live(
 ) -> Callable[[Callable[[], object]], Stop | None] | None:
     """Return what runs the machine with somebody at its Teletype, if anybody is."""
     if options.keyboard:
-        from pdp8.cli.running.keyboard import sit_down
+        from pdp8.cli.monitor import sit_down
 
         return partial(sit_down, machine, _listing(found), options.max_time, options.realtime)
     if options.line is not None and sys.platform != "win32":  # as _check_options has it

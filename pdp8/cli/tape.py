@@ -10,7 +10,7 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import codes, cutting, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy
+from tapes import codes, cutting, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy, spelled
 from tapes import convert as conversion
 from tapes import title as eye
 from tapes.code import Characters, Code
@@ -58,11 +58,28 @@ _mend = option(
 def _read(file: str) -> bytes:
     """Return the frames of a tape, or those that a dump spells, which is said."""
     content = shelf.read(file)
+    words = spelled.found(content)
+    if content.startswith(b"{"):
+        return _core_of_state(file, content)
+    if words is not None:
+        command.say_of(file, [words.note])
+        return words.tape
     found = dump.found(content)
     if found is None:
         return content
     command.say_of(file, [f"a dump in {found.notation}, read as {len(found.frames):,} frames"])
     return found.frames
+
+
+def _core_of_state(file: str, content: bytes) -> bytes:
+    """Return the BIN tape of the words in a saved state's core that are not 0000."""
+    from pdp8.computer.past import state
+    from tapes import binary
+
+    with naming(file):
+        core = state.restore(content.decode("utf-8", "replace")).core
+    command.say_of(file, ["a saved state, of whose core all words but 0000 are taken"])
+    return binary.encode({address: word for address, word in enumerate(core) if word})
 
 
 def _mended(content: bytes, values: dict[int, int]) -> bytes:
@@ -218,7 +235,7 @@ def info(files: tuple[str, ...]) -> None:
 @click.option(
     "--to",
     "target",
-    type=click.Choice([*conversion.FORMS, conversion.FRAMES]),
+    type=click.Choice(conversion.TARGETS),
     required=True,
     help="The code to make of it.",
 )
@@ -232,6 +249,7 @@ def info(files: tuple[str, ...]) -> None:
 )
 @_accept
 @_mend
+@click.option("--force", is_flag=True, help="Take what can be read of a damaged BIN or RIM tape.")
 @output(Target())
 def convert(
     *,
@@ -242,11 +260,15 @@ def convert(
     fill: int | None,
     accept: bool,
     mend: dict[int, int],
+    force: bool,
     output: str,
 ) -> None:
-    """Convert a tape: characters (text, ascii, eia), words (bin, rim), or any to octal digits and back to
-    frames. A frame that breaks a rule which its tape obeys is named, and no tape is made of it before it is
-    mended or accepted.
+    """Convert a tape: characters (text, ascii, eia), words (bin, rim, or spelled out as text), or any to
+    octal digits and back to frames. A frame that breaks a rule which its tape obeys is named, and no tape is
+    made of it before it is mended or accepted.
+
+    Words spelled out as text are known by their form: octal addresses and words, Verilog's $readmemh, EP,
+    deposits of a SIMH script, lines of twelve bits, octal frames.
 
     \b
     Examples:
@@ -255,14 +277,16 @@ def convert(
       pdp8 tape convert eia.bin --to rim -o eia.rim
       pdp8 tape convert eia.bin --to octal > eia.txt
       pdp8 tape convert eia.txt --code octal --to frames -o eia.bin
+      pdp8 tape convert eia.bin --to readmemh -o eia.mem
     """
     content = _mended(_read(file) if code == _AUTO else shelf.read(file), mend)
     source = codes.recognise(content).name if code == _AUTO else code
     with naming(file):
-        converted = conversion.convert(content, source, target, parity, fill, accept=accept)
-    command.put(output, converted.decode() if target in (conversion.TEXT, conversion.OCTAL) else converted)
+        converted = conversion.convert(content, source, target, parity, fill, accept=accept, force=force)
+    is_text = target in (conversion.TEXT, conversion.OCTAL, *spelled.FORMATS)
+    command.put(output, converted.decode() if is_text else converted)
     words = codes.named(source)
-    if isinstance(words, Words) and isinstance(codes.named(target), Words):
+    if isinstance(words, Words) and (isinstance(codes.named(target), Words) or target in spelled.FORMATS):
         command.say_of(file, words.left_out(content))
     elif target in _TYPED or target == conversion.TEXT:
         _say_accepted(file, content, words)

@@ -6,9 +6,12 @@ from inspect import signature
 from textwrap import wrap
 from typing import NamedTuple
 
+from pdp8 import shelf
 from pdp8.monitor import hands, keystrokes, past, running, simh, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
+from tapes.errors import WorkError, called
+from tapes.text import lines_of
 
 _SHORT = {
     "b": "boot", "c": "cont", "d": "deposit", "e": "examine", "ex": "examine", "g": "go", "h": "help",
@@ -18,6 +21,8 @@ _SHORT = {
 """Names that are the beginning of several and mean one, and SIMH's names for ours."""
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
 """What is printed before one of these is not expected any more."""
+_DEEPEST = 10
+"""Scripts within scripts."""
 _AT_SIMH = {
     "assign": "files have their own names",
     "call": "do FILE carries out a script",
@@ -63,6 +68,24 @@ def quit_(monitor: Monitor) -> None:
     monitor.finished = True
 
 
+def do_file(monitor: Monitor, name: str, *more: str) -> None:
+    """Carry out the commands of a file; its first error ends it."""
+    if monitor.depth >= _DEEPEST:
+        raise MonitorError(f"{name}: more than {_DEEPEST} scripts within scripts")
+    monitor.depth += 1
+    try:
+        for number, line in enumerate(lines_of(shelf.read(name).decode("utf-8-sig", "replace")), 1):
+            monitor.echo(line)
+            try:
+                do(monitor, line)
+            except WorkError as error:
+                raise MonitorError(f"{called(name)}, line {number}: {error}") from error
+            if monitor.finished:
+                return
+    finally:
+        monitor.depth -= 1
+
+
 _PLACES = f"{' '.join(hands.REGISTERS)} or an address"
 _TAPES = "names of tapes, or start, stop, or none"
 COMMANDS = {
@@ -70,7 +93,7 @@ COMMANDS = {
     for each in (
         Command("examine", "A|A:B|NAME ...", hands.examine, "an address"),
         Command("deposit", "A WORD ...|A:B WORD", hands.deposit, "an address and words"),
-        Command("set", "NAME WORD", hands.set_, f"one of {hands.NAMES} and a word"),
+        Command("set", "NAME WORD", simh.set_, f"one of {hands.NAMES} and a word"),
         Command("registers", "", hands.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
         Command("boot", "PROGRAM [force]", tapes.boot, "the name of a program"),
@@ -104,7 +127,7 @@ COMMANDS = {
         Command("attach", "ptr TAPE|ptp FILE", simh.attach, "ptr or ptp, and the name of a file"),
         Command("detach", "ptr|ptp", simh.detach, "ptr or ptp"),
         Command("send", "TEXT ...", simh.send),
-        Command("do", "FILE", simh.do_file, "the name of a file"),
+        Command("do", "FILE", do_file, "the name of a file"),
         Command("echo", "TEXT", simh.echo, words_of=as_it_stands),
         Command("reset", "", simh.reset),
         Command("show", "", simh.show),

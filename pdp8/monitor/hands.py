@@ -53,7 +53,7 @@ def _examine(monitor: Monitor, place: str) -> None:
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     """Put words into core from A on, or one word into all of A:B."""
     if is_register(monitor, place):
-        set_(monitor, place, word, *more)
+        set_(monitor, place, *some((word, *more), "a word", 1, 1))
         return
     if lacks := _LACKS.get(place.lower()):
         raise MonitorError(f"{place}: {lacks}")
@@ -68,16 +68,9 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         monitor.machine.core[address] = each
 
 
-def set_(monitor: Monitor, name: str, *values: str) -> None:
-    """Set a register, a switch (0 or 1), the seconds that a key of the panel takes (hands), or an option of
-    SIMH's.
-    """
-    from pdp8.monitor import simh
-
-    if simh.option(monitor, name, values):
-        return
+def set_(monitor: Monitor, name: str, value: str) -> None:
+    """Set a register, a switch (0 or 1), or the seconds that a key of the panel takes (hands)."""
     name = register(name)
-    (value,) = some(values, "a word", 1, 1)
     if name in REGISTERS:
         word = monitor.address(value)
         setattr(monitor.machine, name, octal(f"{word:o}", REGISTERS[name]))

@@ -46,8 +46,8 @@ class Monitor:
         """How many of them are being read."""
         self.punching: dict[str, str] = {}
         """The names of files that were attached for what is punched."""
-        self.to_send = bytearray()
-        """Keys that are pressed once the machine runs."""
+        self.once_running: list[Callable[[], object]] = []
+        """What is done once the machine runs."""
         self.waiting_tapes: list[str] = []
         """The names of the tapes that go into the reader as it runs out."""
         self.attend(machine or Machine())

@@ -133,13 +133,9 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
 
 
 def _send(monitor: Monitor) -> None:
-    """Press the keys that were to be sent once the machine runs."""
-    if monitor.to_send:
-        from pdp8.monitor.keystrokes import press
-
-        frames = bytes(monitor.to_send)
-        monitor.to_send.clear()
-        press(monitor, frames)
+    """Do what was to be done once the machine runs: press keys."""
+    while monitor.once_running:
+        monitor.once_running.pop(0)()
 
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:

@@ -9,15 +9,14 @@ A device that this machine has not is named; to disable it does nothing.
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from pdp8 import shelf
-from pdp8.monitor import tapes
+from pdp8.monitor import hands, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
-from tapes.errors import WorkError, called
-from tapes.text import lines_of
 
 _ABSENT = {
     "rk": "an RK8 disk",
@@ -37,8 +36,6 @@ _ABSENT = {
 }
 _HAS = ("cpu", "tti", "tto", "ptr", "ptp")
 _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "noon")
-_DEEPEST = 10
-"""Scripts within scripts."""
 
 
 def absent(name: str) -> str:
@@ -95,32 +92,12 @@ def send(monitor: Monitor, *texts: str) -> None:
     if monitor.machine.panel.lamps.run:
         press(monitor, frames)
     else:
-        monitor.to_send += frames
+        monitor.once_running.append(partial(press, monitor, frames))
 
 
 def echo(monitor: Monitor, text: str) -> None:
     """Say TEXT."""
     monitor.say(text)
-
-
-def do_file(monitor: Monitor, name: str, *more: str) -> None:
-    """Carry out the commands of a file; its first error ends it."""
-    from pdp8.monitor.commands import do
-
-    if monitor.depth >= _DEEPEST:
-        raise MonitorError(f"{name}: more than {_DEEPEST} scripts within scripts")
-    monitor.depth += 1
-    try:
-        for number, line in enumerate(lines_of(shelf.read(name).decode("utf-8-sig", "replace")), 1):
-            monitor.echo(line)
-            try:
-                do(monitor, line)
-            except WorkError as error:
-                raise MonitorError(f"{called(name)}, line {number}: {error}") from error
-            if monitor.finished:
-                return
-    finally:
-        monitor.depth -= 1
 
 
 def reset(monitor: Monitor, *devices: str) -> None:
@@ -139,7 +116,15 @@ def passed_over(monitor: Monitor, *words: str) -> None:
     """Do nothing: a script of SIMH's may have it."""
 
 
-def option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
+def set_(monitor: Monitor, name: str, *values: str) -> None:
+    """Set a register, a switch (0 or 1), the seconds that a key of the panel takes (hands), or an option of
+    SIMH's.
+    """
+    if not _option(monitor, name, values):
+        hands.set_(monitor, name, *some(values, f"one of {hands.NAMES} and a word", 1, 1))
+
+
+def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     """Set an option as SIMH's SET does; return whether there is one of that name. Raises MonitorError."""
     name, value = name.lower(), " ".join(values).lower()
     if name in ("throttle", "nothrottle"):

@@ -19,7 +19,7 @@ _MARKS = {"\a": "<BEL>", "\x7f": "<RUBOUT>"}
 
 def load(monitor: Monitor, name: str, *force: str) -> None:
     """Put a program straight into core; `load PROGRAM force` takes a damaged tape too."""
-    found = program.read(_read(monitor, name), name, _forced(force), monitor.dialect)
+    found = _program(monitor, name, _forced(force))
     monitor.machine.load(found.words)
     monitor.listing = found.listing
     monitor.say(f"{name}: {counted(len(found.words), 'words')}")
@@ -37,7 +37,7 @@ def boot(monitor: Monitor, name: str, *force: str) -> None:
         go(monitor, f"{operator.RIM_START:o}")
         return
     forced = _forced(force)
-    found = program.read(_read(monitor, name), name, True, monitor.dialect)
+    found = _program(monitor, name, True)
     loader = rim_format.encode(shelf.bundled_program("bin.pal").words)
     for step in monitor.operator.boot(loader, found.tape, name, forced):
         monitor.say(str(step))
@@ -50,6 +50,13 @@ def _read(monitor: Monitor, name: str) -> bytes:
     if shelf.hides(name):
         monitor.say(f"{name} {shelf.HIDES}")
     return shelf.read(name)
+
+
+def _program(monitor: Monitor, name: str, force: bool) -> program.Program:
+    """Return a program; say so where it hides a bundled one."""
+    if shelf.hides(name):
+        monitor.say(f"{name} {shelf.HIDES}")
+    return shelf.program(name, force, monitor.dialect)
 
 
 def _forced(words: Sequence[str]) -> bool:
@@ -65,7 +72,7 @@ def _say_notes(monitor: Monitor, found: program.Program) -> None:
 
 def listing(monitor: Monitor, name: str) -> None:
     """Take the listing of a program that is in core already, as after `restore`."""
-    monitor.listing = program.read(_read(monitor, name), name, True, monitor.dialect).listing
+    monitor.listing = _program(monitor, name, True).listing
 
 
 def rim(monitor: Monitor) -> None:

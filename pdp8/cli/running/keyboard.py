@@ -11,7 +11,6 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
-import click
 from prompt_toolkit.input import Input, create_input
 from prompt_toolkit.key_binding import KeyPress
 
@@ -21,7 +20,6 @@ from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.keys import sent
-from pdp8.computer.use.trace import Listing
 
 ESCAPES = "\x1d\x05"
 """Ctrl-] and, as at SIMH, Ctrl-E."""
@@ -85,28 +83,6 @@ class Terminal:
         if self._page.column:
             command.echo("")
         self._page.column = 0
-
-
-def sit_down(
-    machine: Machine, listing: Listing, max_time: float | None, realtime: bool, pass_on: Callable[[], object]
-) -> Stop | None:
-    """Run with the terminal as the Teletype until the machine stops, then return how; after Ctrl-] be its
-    monitor, then return None.
-    """
-    from pdp8.cli.monitor import converse
-    from pdp8.monitor.prompt import Monitor
-
-    terminal = Terminal(pass_on)
-    click.echo("Teletype on line; Ctrl-] stops, and leaves to the monitor.", err=True)
-    stop, left = terminal.run(machine, max_time, realtime)
-    terminal.end_line()
-    if not left:
-        return stop
-    made = Monitor(terminal.say, machine, listing)
-    made.realtime = realtime
-    made.say_stop(stop)
-    converse(made, terminal)
-    return None
 
 
 def typed(keys: Input, seconds: float) -> str:

@@ -1,6 +1,7 @@
 """A program from a tape's bytes: its kind, its words, the tape that loads it, its listing.
 
     PAL source  ── assembled ──┐
+    words spelled out as text ─┤
     BIN tape    ── decoded   ──┼──► Program ──► core, or the reader; trace and listing
     RIM tape    ── decoded   ──┘
 
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tapes import ascii, codes
+from tapes import ascii, codes, spelled
 from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
 from tapes.loaders import Words
@@ -81,9 +82,13 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
     field that a machine of 4K lacks, what is no program.
     """
+    words = spelled.found(frames)
     code = codes.recognise(frames)
     with naming(name):
-        if code is codes.ASCII:
+        if words is not None:
+            program = _loaded(words.tape, name, codes.BIN, force)
+            program.notes = (words.note, *program.notes)
+        elif code is codes.ASCII:
             program = _assembled([frames], [name], dialect)
         elif isinstance(code, Words):
             program = _loaded(frames, name, code, force)

@@ -1,0 +1,93 @@
+"""Words spelled out as text: what courses and tools write, read by its form; nothing else is."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pdp8 import shelf
+from pdp8.computer.use import program
+from tapes import binary, spelled
+from tests.conftest import Call
+
+WORDS = {0o200: 0o7300, 0o201: 0o1250, 0o202: 0o7402, 0o250: 2}
+FORMS = {
+    "102\n000\n073\n000\n012\n050\n074\n002\n102\n050\n000\n002\n": "octal frames, one a line",
+    "@080\nec0 // CLA CLL\n2a8\nf02\n@0a8\n002\n": "Verilog's $readmemh",
+    "EP:080\n080:EC0\n081:2A8\n082:F02\n0A8:2\n": "EP, entry point and hexadecimal words; it starts at 0200",
+    "0200 7300\n0201 1250\n0202 7402\n0250 0002\n": "octal addresses and words",
+    "0200: 7300 1250 7402\n0250: 0002\n": "octal addresses and words",
+    "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
+}
+
+
+@pytest.mark.parametrize("text", FORMS)
+def test_a_form_is_known_and_a_program(text: str) -> None:
+    found = program.read(text.replace("\n", "\r\n").encode(), "x")
+    assert (found.words, found.notes) == (WORDS, (f"read as {FORMS[text]}",))
+
+
+def test_a_line_of_bits_for_each_word() -> None:
+    lines = ["000000000000"] * 0o10000
+    lines[0o200:0o202] = ["111011000000", "111100000010"]
+    found = spelled.found("\n".join(lines).encode())
+    assert found is not None
+    assert (found.words[0o200], found.words[0o201], len(found.words)) == (0o7300, 0o7402, 0o10000)
+
+
+@given(
+    st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=8),
+    st.sampled_from(spelled.FORMATS),
+)
+def test_what_is_written_is_read(words: dict[int, int], name: str) -> None:
+    found = spelled.found(spelled.spell(name, words).encode())
+    assert found is not None
+    assert {at: word for at, word in found.words.items() if word} == {
+        at: word for at, word in words.items() if word
+    }
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in shelf.bundled() if name.endswith((".pal", ".asc", ".for", ".eia"))]
+)
+def test_nothing_else_is(name: str) -> None:
+    assert spelled.found(shelf.read_bundled(name)) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["*200\n7300\n$\n", "7300\n1250\n", "D 200\n", "0019029030000350000\n", "12 34\n", "@\n", "EP:\n"]
+)
+def test_nor_is_a_source_or_a_table(text: str) -> None:
+    assert spelled.found(text.encode()) is None
+
+
+def test_both_ways_by_the_command_and_in_every_command(call: Call) -> None:
+    for name in spelled.FORMATS:
+        assert call(f"pdp8 tape convert eia.bin --to {name} -o x.txt")[0] == 0
+        assert call("pdp8 tape convert x.txt --to bin -o y.bin")[0] == 0
+        words = {at: word for at, word in shelf.program("y.bin").words.items() if word}
+        assert words == {at: word for at, word in shelf.program("eia.bin").words.items() if word}
+    Path("x.mem").write_text("@080 ec0 f02\n")
+    assert call("pdp8 run x.mem")[2].splitlines()[0] == "pdp8 run: x.mem: read as Verilog's $readmemh"
+    assert "CLA CLL" in call("pdp8 dis x.mem")[1]
+    assert "x.mem: read as Verilog's $readmemh" in call("pdp8 monitor -", b"load x.mem\n")[1]
+    assert call("pdp8 run x.mem --boot")[0] == 0
+
+
+def test_a_saved_state_becomes_a_tape(call: Call) -> None:
+    call("pdp8 run eia.pal --reader circle.asc --max-time 1 --save x.state --punch x.eia")
+    assert call("pdp8 tape convert x.state --to bin -o x.bin")[0] == 0
+    words = shelf.program("eia.pal").words
+    found = shelf.program("x.bin").words
+    assert sum(found.get(at) == word for at, word in words.items()) > 120
+
+
+def test_a_damaged_tape_by_force(call: Call) -> None:
+    tape = bytearray(binary.encode(WORDS))
+    tape[67] ^= 1
+    Path("x.bin").write_bytes(tape)
+    for command in ("dis x.bin", "tape convert x.bin --to octal-words"):
+        assert call(f"pdp8 {command}")[0] == 1
+        status, shown, _ = call(f"pdp8 {command} --force")
+        assert (status, "7301" in shown) == (0, True)
