@@ -150,7 +150,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     curve if it stays within .020 in of it, or four times the tolerance if that is more. Raises WorkError if
     nothing was milled, no such curve is found, or it was not cut at all.
     """
-    cuts = segments(path.cuts)
+    cuts = np.unique(segments(path.cuts), axis=0)  # a tape may go the same way many times
     if not len(cuts):
         raise WorkError("no block of this tape mills: there is no surface to inspect")
     curve = curve or followed(path, tolerance)

@@ -67,7 +67,7 @@ class Stretch:
 
     def inside(self, x: float, y: float) -> bool:
         """Whether a point is in the band, its limits included."""
-        return abs(self.side(x, y)) <= Side.UPPER_LIMIT
+        return -2 < self.side(x, y) < 2
 
     def reached(self, axis: Axis, x: int, y: int) -> bool:
         """Whether a cut along `axis` has reached its limit at `x`, `y`, or passed it."""
@@ -148,15 +148,14 @@ def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
 
     Each limit is an ellipse's semi-axes along X and Y.
     """
-
-    def beyond(x: float, y: float, limit: Limits) -> float:
-        a, b = limit[0] ** 2, limit[1] ** 2
-        return (x - centre.x) ** 2 * b + (y - centre.y) ** 2 * a - a * b
+    (a, b), (c, d) = (inner[0] ** 2, inner[1] ** 2), (outer[0] ** 2, outer[1] ** 2)
+    middle_x, middle_y, smaller, larger = centre.x, centre.y, a * b, c * d
 
     def side(x: float, y: float) -> Side:
-        if (within := beyond(x, y, inner)) <= 0:
+        across, up = (x - middle_x) ** 2, (y - middle_y) ** 2
+        if (within := across * b + up * a - smaller) <= 0:
             return Side.BELOW if within else Side.LOWER_LIMIT
-        if (without := beyond(x, y, outer)) >= 0:
+        if (without := across * d + up * c - larger) >= 0:
             return Side.ABOVE if without else Side.UPPER_LIMIT
         return Side.INSIDE
 

@@ -14,6 +14,7 @@ from nc.machine import cut
 from nc.plot import plot
 from nc.talysurf import talysurf
 from pdp8.cli.nc import nc
+from tapes.paper import sized
 from tests.conftest import Shell, case
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 
@@ -92,7 +93,7 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
         ("--function x*x --range 0,1 --origin 3,6", Graph(3000, 6000, "x*x", 0, 1)),
     ):
         near = plot(path, curve, block=100, cutter=250, tolerance=10, zoom=(8, 8), close_at=(4000, 5735))
-        assert product(shell, f"pdp8 nc plot circle.eia {options} {named}") == near
+        assert product(shell, f"pdp8 nc plot circle.eia {options} {named}") == sized(near)
     trace = talysurf(inspect(path, around, 250, 10), (1000, 2000))
     options = "--circle 4,4,1.75 --cutter .25 --tolerance .01 --talysurf - --stretch 1,2"
     assert shell(f"pdp8 nc inspect circle.eia {options}").stdout.decode() == trace

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from programs import circle, die, ellipse, polynomial
 from programs.milling import Milling
-from programs.piecewise import Technique, way
+from programs.piecewise import Technique
 from programs.printout import Printout
 from programs.stretches import Point, arc, line
 from tapes import eia
@@ -106,12 +106,6 @@ def test_a_block_sets_one_feed_and_x_s_moves_or_names_the_one_in_force_again() -
         printout = Printout()
         Milling("piece", fastest=fastest, feed_error=0).print(printout, curve)
         assert printout.text == text
-
-
-def test_the_way_has_the_corner_of_figure_3_1() -> None:
-    passed = list(way(Point(0, 0), Point(120, 120), (2.0, 1.0)))
-    assert (120.0, 60.0) in passed
-    assert passed[-1] == (120, 120)
 
 
 @pytest.fixture(scope="module")
