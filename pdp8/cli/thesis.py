@@ -233,6 +233,8 @@ def _places(folder: str) -> dict[str, str]:
                 places[each.name] = (
                     f"; {file.name}: {'' if sure else 'by its number among the lines, about '}{rows}"
                 )
+    if not places:
+        raise TapeError(f"{folder}: no picture of a page on the list; one is called 106.png or page-106.png")
     return places
 
 

@@ -359,6 +359,7 @@ _VALUES: Final = {
     "--gradescope": "results.out",
     "--variants": "seeds.out",
     "--pages": "pages",
+    "thesis collate --pages": ".",
     "--seed": "5",
     "--cpu": "5",
     "--export-student": "student.out",

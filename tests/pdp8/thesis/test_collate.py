@@ -130,3 +130,10 @@ def test_a_line_is_found_on_a_page_and_only_about_where_lines_are_missing(
     assert status == 0
     about = "" if sure else "by its number among the lines, about "
     assert f"line 0340; page-106.png: {about}rows {top} to {last}" in str(out)
+
+
+def test_a_folder_without_a_page_is_refused(call: Call, tmp_path: Path) -> None:
+    pytest.importorskip("cv2")
+    status, _, said = call(f"pdp8 thesis collate --pages {tmp_path}")
+    assert status == 1
+    assert "no picture of a page on the list; one is called 106.png" in said
