@@ -96,9 +96,29 @@ class Options:
         option(
             "--line",
             type=Target(),
-            metavar="PATH",
+            metavar="PATH|tcp:PORT",
             excludes="--keyboard --reader --realtime",
-            help="The Teletype is a line: a serial port, a pty. At 110 baud's pace.",
+            help="The Teletype is a line: a serial port, a pty, a TCP port for telnet. At 110 baud's pace.",
+        ),
+    ]
+    line_bits: Annotated[
+        int | None,
+        option(
+            "--line-bits",
+            type=click.Choice([7, 8]),
+            needs="--line",
+            help="8: frames as they are; 7: characters as a terminal has them.  [default: 8; tcp: 7]",
+        ),
+    ]
+    line_speed: Annotated[
+        str,
+        option(
+            "--line-speed",
+            type=click.Choice(["110", "full"]),
+            default="110",
+            show_default=True,
+            needs="--line",
+            help="At 110 baud's pace, or as fast as it goes.",
         ),
     ]
     max_time: Annotated[
@@ -204,6 +224,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
       pdp8 run eia.pal --boot < circle.asc > circle.eia
       pdp8 run echo.pal --keyboard --realtime
       pdp8 run echo.pal --line /dev/ttyUSB0
+      pdp8 run echo.pal --line tcp:5000
       pdp8 run eia.pal --trace eia.trace --max-time 1 < circle.asc > some.eia
       pdp8 run eia.pal --count --annotate eia.counts < circle.asc > circle.eia
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
@@ -363,9 +384,10 @@ def _live(
 
         return partial(sit_down, machine, _listing(found), options.max_time, options.realtime)
     if options.line is not None and sys.platform != "win32":  # as _check_options has it
-        from pdp8.cli.running.line import Line
+        from pdp8.cli.running.line import opened
 
-        return partial(stack.enter_context(closing(Line(options.line))).run, machine, options.max_time)
+        line = opened(options.line, options.line_bits, options.line_speed == "full")
+        return partial(stack.enter_context(closing(line)).run, machine, options.max_time)
     return None
 
 

@@ -1,4 +1,4 @@
-"""The Teletype as a real line: a serial port or a pty, at 110 baud's pace.
+"""The Teletype as a real line: a serial port, a pty or a TCP port, at 110 baud's pace.
 
 What comes over the line is its keyboard and its reader, frame by frame and unchanged; what the program
 prints or punches goes out. RTS follows READER RUN where the line has modem signals, so that a reader at the
@@ -7,7 +7,9 @@ other end can wait for it.
 
 import fcntl
 import os
+import re
 import select
+import socket
 import struct
 import sys
 import termios
@@ -20,15 +22,135 @@ from pdp8.cli.running import pacing
 from pdp8.cli.shared import command
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
+from pdp8.computer.use.keys import sent
 from pdp8.shelf import ShelfError
 
 assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
 
 
 class Line:
-    """A line at `path`, raw, at 110 baud where it has a speed, until it is closed."""
+    """A line by which somebody is at the Teletype; `bits` 7 makes keys of what comes and characters of what
+    goes out, 8 leaves the frames as they are.
+    """
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, bits: int = 8, full_speed: bool = False) -> None:
+        self._bits = bits
+        self._full_speed = full_speed
+
+    def run(self, machine: Machine, max_time: float | None, pass_on: Callable[[], object]) -> Stop | None:
+        """Run at the pace of 1971 until the program halts; return how it ended, None if interrupted."""
+        mask = 0o177 if self._bits == 7 else 0o377
+        machine.teletype.printer.on_frame = lambda frame: self.send(frame & mask)
+        with pacing.ctrl_c() as interrupt:
+
+            def take(seconds: float) -> bytes:
+                if interrupt.pressed:
+                    machine.stop()
+                self.reader_run(bool(machine.teletype.receiver.reader_run))
+                frames = self.received(seconds)
+                return sent(frames.decode("latin-1")) if self._bits == 7 else frames
+
+            stop = pacing.live(machine, max_time, pass_on, take, not self._full_speed)
+        return None if interrupt.pressed else stop
+
+    def received(self, seconds: float) -> bytes:
+        """Return what comes over the line, waiting at most `seconds` for it."""
+        raise NotImplementedError
+
+    def send(self, frame: int) -> None:
+        """Send one frame."""
+        raise NotImplementedError
+
+    def reader_run(self, on: bool) -> None:
+        """Show whether the reader may move."""
+
+    def close(self) -> None:
+        """Leave the line."""
+        raise NotImplementedError
+
+
+class Tcp(Line):
+    """A line on a TCP port, for telnet: one client at a time. What is sent while nobody is there waits."""
+
+    def __init__(self, address: str, bits: int, full_speed: bool) -> None:
+        super().__init__(bits, full_speed)
+        host, _, port = address.rpartition(":")
+        if not port.isdecimal() or not 0 < int(port) < 1 << 16:
+            raise ShelfError(f"tcp:{address}: tcp:PORT or tcp:ADDRESS:PORT, a port from 1 to 65535")
+        self._client: socket.socket | None = None
+        self._waiting = bytearray()
+        self._telnet = b""
+        try:
+            self._server = socket.create_server((host or "127.0.0.1", int(port)))
+        except OSError as error:
+            raise ShelfError(f"tcp:{address}: {error.strerror}") from error
+        command.say(f"listens on {host or '127.0.0.1'}:{port}, {bits} bits; Ctrl-C stops")
+
+    def close(self) -> None:
+        """Close the port."""
+        for each in (self._client, self._server):
+            if each is not None:
+                each.close()
+
+    def received(self, seconds: float) -> bytes:
+        """Return what the client sends, without the options of telnet."""
+        self._pass_on()
+        place = self._client or self._server
+        if not select.select([place], [], [], seconds)[0]:
+            return b""
+        if self._client is None:
+            self._client, _ = self._server.accept()
+            self._client.sendall(_CHARACTER_MODE)
+            self._client.setblocking(False)
+            self._pass_on()
+            return b""
+        frames = b""
+        with suppress(OSError):
+            frames = self._client.recv(256)
+        if not frames:
+            self._client.close()
+            self._client, self._telnet = None, b""
+        return self._without_options(frames)
+
+    def send(self, frame: int) -> None:
+        """Send one frame, now or once somebody is there."""
+        self._waiting += b"\xff\xff" if frame == _IAC else bytes([frame])
+        self._pass_on()
+
+    def _pass_on(self) -> None:
+        if self._client is not None:
+            with suppress(OSError):
+                del self._waiting[: self._client.send(self._waiting)]
+
+    def _without_options(self, frames: bytes) -> bytes:
+        """Return what stands between the options of telnet; one that is not whole yet waits."""
+        rest, found = self._telnet + frames, bytearray()
+        while rest:
+            option = _OPTION.match(rest)
+            if option is None:
+                break
+            if option[1] is not None:
+                found += option[1][:1]
+            rest = rest[option.end() :]
+        self._telnet = rest
+        return bytes(found)
+
+
+_IAC = 0o377
+_CHARACTER_MODE = bytes([_IAC, 251, 1, _IAC, 251, 3])
+"""WILL ECHO, WILL SUPPRESS GO AHEAD."""
+_OPTION = re.compile(
+    rb"\xff[\xfb-\xfe].|\xff\xfa(?:[^\xff]|\xff\xff)*\xff\xf0|\xff[\xf1-\xf9]|(\xff\xff|\r\0|[^\xff])",
+    re.DOTALL,
+)
+"""DO and its like, a subnegotiation, a command; or a frame: IAC is doubled, RETURN may have NUL behind it."""
+
+
+class Serial(Line):
+    """A serial port or a pty at `path`, raw, at 110 baud where it has a speed, until it is closed."""
+
+    def __init__(self, path: str, bits: int, full_speed: bool) -> None:
+        super().__init__(bits, full_speed)
         try:
             self._file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         except OSError as error:
@@ -53,21 +175,7 @@ class Line:
             termios.tcsetattr(self._file, termios.TCSADRAIN, self._before)
         os.close(self._file)
 
-    def run(self, machine: Machine, max_time: float | None, pass_on: Callable[[], object]) -> Stop | None:
-        """Run at the pace of 1971 until the program halts; return how it ended, None if interrupted."""
-        machine.teletype.printer.on_frame = self._send
-        with pacing.ctrl_c() as interrupt:
-
-            def take(seconds: float) -> bytes:
-                if interrupt.pressed:
-                    machine.stop()
-                self._reader_run(bool(machine.teletype.receiver.reader_run))
-                return self._received(seconds)
-
-            stop = pacing.live(machine, max_time, pass_on, take)
-        return None if interrupt.pressed else stop
-
-    def _received(self, seconds: float) -> bytes:
+    def received(self, seconds: float) -> bytes:
         """Return what comes over the line, waiting at most `seconds` for it."""
         if not select.select([self._file], [], [], seconds)[0]:
             return b""
@@ -85,13 +193,13 @@ class Line:
             command.say(f"{self._path}: nobody is at the other end; the machine goes on, Ctrl-C stops it")
         self._gone = True
 
-    def _send(self, frame: int) -> None:
+    def send(self, frame: int) -> None:
         """Send one frame; a line that takes none for a second has lost it."""
         with suppress(OSError):
             if select.select([], [self._file], [], 1.0)[1]:
                 os.write(self._file, bytes([frame]))
 
-    def _reader_run(self, on: bool) -> None:
+    def reader_run(self, on: bool) -> None:
         """Let RTS follow READER RUN, as far as the line has such a signal."""
         if not self._modem:
             return
@@ -100,3 +208,12 @@ class Line:
             fcntl.ioctl(self._file, request, struct.pack("I", termios.TIOCM_RTS))
         except OSError:
             self._modem = False
+
+
+def opened(name: str, bits: int | None = None, full_speed: bool = False) -> Line:
+    """Return the line called tcp:PORT, tcp:ADDRESS:PORT, of 7 bits if nothing is said; or by the path of a
+    serial port or pty, of 8.
+    """
+    if name.startswith("tcp:"):
+        return Tcp(name.removeprefix("tcp:"), bits or 7, full_speed)
+    return Serial(name, bits or 8, full_speed)

@@ -5,6 +5,7 @@ import pty
 import re
 import select
 import signal
+import socket
 import subprocess
 import sys
 import termios
@@ -154,3 +155,25 @@ def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
     assert b"of machine time, and nothing is read or punched; Ctrl-C ends the run" in seen
     terminal.type(b"\x03")
     assert terminal.ended() == 130
+
+
+def test_a_tcp_port_is_a_line_and_who_comes_back_loses_nothing() -> None:
+    """Options of telnet are no characters; what is printed while nobody is there is kept."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    run = commands.start("pdp8", "run", "echo.pal", "--line", f"tcp:{port}", "--line-speed", "full")
+    assert run.stderr is not None
+    assert f"listens on 127.0.0.1:{port}, 7 bits".encode() in run.stderr.readline()
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.settimeout(20)
+        assert client.recv(6) == b"\xff\xfb\x01\xff\xfb\x03"
+        client.sendall(b"\xff\xfd\x01\xff\xfa\x18\x00vt100\xff\xf0ab")
+        assert b"".join(client.recv(1) for _ in range(2)) == b"AB"
+    time.sleep(0.5)
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.settimeout(20)
+        client.recv(6)
+        client.sendall(b"e")
+        assert client.recv(1) == b"E"
+    commands.signalled(run, signal.SIGINT)

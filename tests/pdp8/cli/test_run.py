@@ -40,19 +40,21 @@ def test_a_program_without_a_word_where_it_is_started_is_said(shell: Shell, tmp_
     assert b"no word" not in shell("pdp8 run high.pal --quiet </dev/null").stderr
 
 
-def test_the_live_teletype_and_the_way_to_the_monitor_where_ctrl_c_is_stop() -> None:
+def test_the_live_teletype_and_the_way_to_the_monitor_and_back() -> None:
     terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard")
     terminal.until(b"Ctrl-]")
     terminal.type(b"pal iii")
     terminal.until(b"PAL III")
     assert not terminal.restored()
     terminal.type(b"\x1d")
-    terminal.until(b"quit leaves")
+    terminal.until(b"stop key;")
     terminal.type(b"examine COUNT\r")
     terminal.until(b"COUNT")
-    terminal.type(b"go 200\r")
+    terminal.type(b"cont\r")
     time.sleep(1)
-    terminal.type(b"\x03")
+    terminal.type(b"more")
+    terminal.until(b"MORE")
+    terminal.type(b"\x05")
     terminal.until(b"stop key;")
     terminal.type(b"quit\r")
     assert terminal.ended() == 0
