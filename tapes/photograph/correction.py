@@ -14,6 +14,9 @@ from typing import NamedTuple
 from tapes import measure, redundancy
 from tapes.errors import TapeError
 from tapes.photograph import UNSEEN, Frame, Strip, pixels, stitch
+from tapes.photograph.reader import LONG
+
+_SHOWN = 5
 
 
 class Picture(NamedTuple):
@@ -37,7 +40,9 @@ class Reading:
         self, pictures: Iterable[Picture], order: Sequence[int] = (), stitched: bool = False
     ) -> None:
         self.pictures = tuple(pictures)
-        self.strips = [(picture.name, strip) for picture in self.pictures for strip in picture.strips]
+        seen = [(picture.name, strip) for picture in self.pictures for strip in picture.strips]
+        self.strips = [(name, strip) for name, strip in seen if strip.tape]
+        self.no_tape = [(name, strip) for name, strip in seen if not strip.tape]
         there = [number for number, (_, strip) in enumerate(self.strips, 1) if strip.frames]
         named = {abs(number) for number in order}
         if len(named) < len(order) or not named <= {*there}:
@@ -95,7 +100,7 @@ class Reading:
         yield from self._of_strips()
         said = measure.report(self.tape)
         yield f"{len(self.tape):,} frames: {said[0][1]}"
-        yield from (f"{name}: {value}" for name, value in said[4:])
+        yield from (f"{name}: {value}" for name, value in said[4:] if name != "doubt")
         if redundancy.looks_reversed(self.tape):
             other = "without --underside it would" if underside else "--underside would"
             yield f"read in this order it makes no sense; {other}"
@@ -119,7 +124,12 @@ class Reading:
         for number, (name, strip) in enumerate(self.strips, 1):
             if number not in map(abs, self.order):
                 why = f": {strip.why}" if strip.why else ""
-                yield f"strip {number} of {len(self.strips)} in {name} is left out{why}"
+                place = f", from {_place(strip)}," if strip.ends else ""
+                yield f"strip {number} of {len(self.strips)} in {name}{place} is left out{why}"
+        if self.no_tape:
+            shown = [f"{_place(strip)} in {name}" for name, strip in self.no_tape[:_SHOWN]]
+            more = [f"{len(self.no_tape) - _SHOWN} more"] * (len(self.no_tape) > _SHOWN)
+            yield f"called no tape, rows of fewer than {LONG} holes: {'; '.join([*shown, *more])}"
 
     def _doubt(self, number: int, frame: Frame, name: str) -> str:
         where = "" if frame.open == 0o377 else f"channel {frame.channel}, "
@@ -128,6 +138,11 @@ class Reading:
             said = f"{self.proposed[number]:03o} by {self.proposed_by}; {frame.holes:03o} was seen"
             return f"frame {number}: {said}: {place}"
         return f"frame {number}: {frame.holes:03o} is doubtful: {place}"
+
+
+def _place(strip: Strip) -> str:
+    (x, y), (to_x, to_y) = strip.ends
+    return f"{x}, {y} to {to_x}, {to_y}"
 
 
 def page(read: Reading) -> str:
@@ -139,7 +154,7 @@ def page(read: Reading) -> str:
         }
         for picture in read.pictures
     ]
-    of_picture = [at for at, picture in enumerate(read.pictures) for _ in picture.strips]
+    of_picture = [at for at, picture in enumerate(read.pictures) for strip in picture.strips if strip.tape]
     left_out = [number for number in range(1, len(read.strips) + 1) if number not in map(abs, read.order)]
     unread = [(number, [(-1, frame) for frame in read.strips[number - 1][1].frames]) for number in left_out]
     strips = [
@@ -148,6 +163,7 @@ def page(read: Reading) -> str:
             "picture": of_picture[number - 1],
             "read": number not in left_out,
             "why": read.strips[number - 1][1].why,
+            "ends": read.strips[number - 1][1].ends,
             "frames": [_shown(read, at, frame) for at, frame in frames],
         }
         for number, frames in (*read.runs, *unread)

@@ -38,6 +38,10 @@ _ADVICE = {
 _DARKER = "lay it on something black and even, or light it from behind"
 _MOST_DOUBTFUL = 0.35
 _FAILURES = 4
+LONG = 20
+"""Holes of a row that is called a tape though it cannot be read."""
+_NEAR = 8
+"""Steps: rows that are nearer to each other are on one strip."""
 _NO_TAPE = "no tape in the picture: "
 
 
@@ -83,6 +87,10 @@ class Strip(NamedTuple):
     frames: list[Frame]
     off: tuple[bool, bool] = (False, False)
     why: str = ""
+    ends: tuple[tuple[int, int], ...] = ()
+    """Of a row that is not read: the places of its first hole and its last."""
+    tape: bool = True
+    """False for a row too short to be called a tape."""
 
     def turned(self) -> "Strip":
         """Return it as it is if it was photographed from below."""
@@ -107,14 +115,17 @@ def strips(picture: bytes, underside: bool = False) -> list[Strip]:
     one line as they lie, each after the one before. Raises TapeError where there is no picture or no tape.
     """
     light, *others = pixels.lights(picture)
-    read, why = _strips(light)
+    read, unread, why = _strips(light)
     for other in (*[255 - light] * (_sure(read) == 0), *others):
         if not read or any(strip.why for strip in read):
-            read = max(read, _strips(other)[0], key=lambda strips: (_sure(strips), len(strips)))
+            better = _strips(other)
+            if (_sure(better[0]), len(better[0])) > (_sure(read), len(read)):
+                read, unread, _ = better
     if not read:
         raise TapeError(_NO_TAPE + why)
     ordered = _ordered([strip for strip in read if strip.frames], underside)
     ordered += (strip for strip in read if not strip.frames)
+    ordered += unread
     return [strip.turned() for strip in ordered] if underside else ordered
 
 
@@ -145,20 +156,27 @@ def _sure(strips: list[Strip]) -> int:
     return sum(not frame.doubtful for strip in strips if not strip.why for frame in strip.frames)
 
 
-def _strips(light: Array) -> tuple[list[Strip], str]:
-    """Return the strips in which holes are dark, and if there are none, why the likeliest row is not one."""
+def _strips(light: Array) -> tuple[list[Strip], list[Strip], str]:
+    """Return the strips in which holes are dark, the rows that are on none of them, and if there are none,
+    why the likeliest row is not one.
+    """
     pictures = sprockets.sizes(light)
     found: list[tuple[Sheet, Array, Strip]] = []
     why: list[str] = []
+    refused: list[tuple[sprockets.Row, str]] = []
     for row in sprockets.rows(pictures):
-        if len(why) >= _FAILURES:
-            break
         if any(sheet.covers(row.places) for sheet, _, strip in found if strip.frames):
+            continue
+        if len(why) >= _FAILURES:
+            refused.append(
+                (row, f"not looked at after {_FAILURES} rows that cannot be read: cut the picture to it")
+            )
             continue
         try:
             tape = find(pictures, row)
         except TapeError as error:
             why.append(str(error))
+            refused.append((row, str(error)))
             continue
         found.append((tape.sheet, row.places, _strip(pictures, tape)))
         why += [strip.why for _, _, strip in found[-1:] if not strip.frames]
@@ -167,7 +185,26 @@ def _strips(light: Array) -> tuple[list[Strip], str]:
     for sheet, places, strip in sorted(found, key=lambda one: not one[2].frames):
         if strip.frames or not any(other.covers(places) for other, _ in kept):
             kept.append((sheet, strip))
-    return [strip for _, strip in kept], said
+    return [strip for _, strip in kept], _unread(refused, [sheet for sheet, _ in kept]), said
+
+
+def _unread(refused: list[tuple[sprockets.Row, str]], sheets: list[Sheet]) -> list[Strip]:
+    """Return the rows that are on no strip, of those near to each other the one of most holes."""
+    rows: list[tuple[sprockets.Row, Strip]] = []
+    for row, why in sorted(refused, key=lambda one: -int(one[0].seen.sum())):
+        beside = any(_distance(row, other) < _NEAR for other, _ in rows)
+        if beside or any(sheet.covers(row.places) for sheet in sheets):
+            continue
+        ends = tuple((round(float(x)), round(float(y))) for x, y in row.places[[0, -1]])
+        rows.append((row, Strip([], why=why, ends=ends, tape=bool(row.seen.sum() >= LONG))))
+    return [strip for _, strip in rows]
+
+
+def _distance(row: sprockets.Row, other: sprockets.Row) -> float:
+    """Return how far two rows are apart where they are nearest, in steps of the wider one."""
+    steps = (float(np.median(np.hypot(*np.diff(each.places, axis=0).T))) for each in (row, other))
+    away = np.hypot(*np.moveaxis(row.places[:, None] - other.places, 2, 0))
+    return float(away.min()) / max(steps)
 
 
 def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:

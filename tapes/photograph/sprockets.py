@@ -26,7 +26,7 @@ _NEAR, _FAR = 4.7, 10.5
 """Pixels from hole to hole that are looked for at each size."""
 _MOST_SPOTS = 12_000
 _FAINTEST = 0.015
-_MOST_ROWS = 40
+_MOST_ROWS = 100
 _LONGEST_GAP = 12
 _AFTER_GAP = 4
 """So many holes in a row have to follow a gap of more than two."""

@@ -209,7 +209,7 @@ def test_what_is_doubtful_is_said_frame_by_frame_a_gap_as_one() -> None:
         "frames 9 to 10: a gap of 2 frames without a sprocket hole, counted by their distance, "
         "at 9, 7 in a<b.jpg",
         "23 frames: ASCII",
-        "parity: mixed",
+        "parity: even",
         "lines: 1 of 19 characters",
         "line ends: 1 CR, 1 LF, 2 RUBOUT",
     ]

@@ -64,7 +64,7 @@ def outside(strip: Strip, light: Array) -> list[tuple[int, int]]:
 @pytest.mark.parametrize("name", STRIPS)
 def test_what_is_read_is_what_the_eye_sees(name: str) -> None:
     content = (REAL / f"{name}.jpg").read_bytes()
-    found = photograph.strips(content)
+    found = [strip for strip in photograph.strips(content) if strip.frames]
     assert [holes(strip).strip(b"\0") for strip in found] == STRIPS[name]
     assert [len(strip.frames) for strip in found] == LENGTHS[name]
     assert [place for strip in found for place in outside(strip, picture(name))] == []
@@ -101,7 +101,7 @@ def read(name: str, way: str) -> list[Strip]:
     light = WAYS[way](picture(name))
     quality = 30 if way == "poor JPEG" else 92
     content = bytes(cv2.imencode(".jpg", light, [cv2.IMWRITE_JPEG_QUALITY, quality])[1])
-    found = photograph.strips(content, underside=way == "mirrored")
+    found = [strip for strip in photograph.strips(content, underside=way == "mirrored") if strip.frames]
     assert [place for strip in found for place in outside(strip, light)] == []
     return found[::-1] if way.startswith("turned") else found  # what was the uppermost is the lowest now
 
@@ -128,3 +128,36 @@ def test_tape_over_a_coloured_book_is_read_in_the_colour_in_which_its_holes_are_
         assert (len(above), strip.why, is_wrong(strip, transcribed)) == (2, "", False)
         assert sum(frame.doubtful for frame in strip.frames) <= 12
     assert not is_wrong(lowest, BOOK[2])
+
+
+PARCELS = [
+    (705, 337),
+    (929, 641),
+    (1378, 609),
+    (1378, 833),
+    (1362, 1042),
+    (978, 1234),
+    (176, 689),
+    (192, 1218),
+]
+"""A place on each strip that a person has counted on the parcels, and could read."""
+
+
+@pytest.mark.slow("a photograph in all colours, half a minute")
+def test_every_strip_that_a_person_counts_is_read_or_left_out_with_its_place() -> None:
+    found = photograph.strips((REAL / "tape_xmas.jpg").read_bytes())
+    assert all(strip.why or strip.frames for strip in found)
+    lines = [
+        np.array(strip.ends or [strip.frames[at].places[0] for at in (0, -1)], dtype=float)
+        for strip in found
+        if strip.ends or strip.frames
+    ]
+    for place in PARCELS:
+        assert min(_away(np.array(place), *line) for line in lines) < 80, place
+
+
+def _away(place: Array, start: Array, end: Array) -> float:
+    """Return how far a place is from a line between two others."""
+    along = end - start
+    part = np.clip((place - start) @ along / (along @ along), 0, 1)
+    return float(np.hypot(*(place - start - part * along)))
