@@ -13,7 +13,9 @@ IMPORT = re.compile(r'^import (\{[^}]*\}|\* as [\w$]+) from "(\.[\w./-]+)\.mjs";
 EXPORT = re.compile(
     r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
 )
-COMMENT = re.compile(r"^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n", re.MULTILINE)
+COMMENT = re.compile(
+    r"""^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n|(?<=[;,{}\[\])]) // [^"'`\n]*$""", re.MULTILINE
+)
 _DECLARED = re.compile(
     r"^(?:export )?(?:const|let|class|function\*?|async function) ([\w$]+|\{[^}]*\})", re.MULTILINE
 )

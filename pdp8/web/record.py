@@ -94,7 +94,21 @@ def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
 def _graph(inspection: Inspection | None) -> str:
     """Return the graph of the walls, in SVG, to a tenth of a pixel."""
     graph = (talyrond if inspection.curve.closed else talysurf)(inspection) if inspection else ""
-    return re.sub(' d="[^"]*"', lambda path: re.sub(r"(\.\d)\d", r"\1", path[0]), graph)
+    return re.sub(' d="(M[^"A-KN-Y]*)"', lambda path: f' d="{_steps(path[1])}"', graph)
+
+
+def _steps(path: str) -> str:
+    """Return a path in SVG of M, L and Z by steps instead of places: packed they take half as much."""
+    found, x, y = [], 0, 0
+    for command, *place in re.findall(r"([ML])(-?[\d.]+) (-?[\d.]+)|(Z)", path):
+        if command:
+            right, down = (round(float(each) * 10) for each in place[:2])
+            step = (right, down) if command == "M" else (right - x, down - y)
+            found.append(command.replace("L", "l") + " ".join(f"{each / 10:g}" for each in step))
+            x, y = right, down
+        else:
+            found.append("Z")
+    return "".join(found)
 
 
 def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:

@@ -58,21 +58,23 @@ const LITTLE = {
     { x: 15.4, y: 4.56, w: 2.2, h: 0.52, dx: 3.4, dy: 6.8 },
   ],
 };
-/** @type {[{ w: number, h: number, pieces: any[] }, number][]} */
-const FORMS = [[WHOLE, 1.1], [APART, 1.1], [LITTLE, 1]]; // and how much each is liked
+const FORMS = [WHOLE, APART, LITTLE];
 
 const TOUCHED = 24.2 / 0.68; // pixels of an inch, so that a finger hits a switch
+const ENOUGH = 60; // and of one that nobody needs larger
+const seen = (form) => (form === WHOLE ? { w: 20.2, h: 10 } : form); // with what is around it
 
 /** How high the panel has to be in that form, where so much is wide. */
-export const least = (form, w) => form.h * Math.min(TOUCHED, w / form.w);
+export const least = (form, w) => seen(form).h * Math.min(TOUCHED, w / seen(form).w);
 
-/** How the panel is shown in a frame: as large as may be, and with little to scroll. */
+/** How the panel is shown in a frame: so that a finger hits its switches, as large as may be, with little to scroll. */
 export function formed({ w, h }) {
-  const worth = ([form, liked]) => {
+  const worth = (form) => {
     const high = Math.max(h, least(form, w));
-    return liked * Math.min(w / form.w, high / form.h) * Math.sqrt(h / high);
+    const scale = Math.min(w / seen(form).w, high / seen(form).h);
+    return Math.min(scale, TOUCHED) ** 2 * Math.min(scale, ENOUGH) * Math.sqrt(h / high) * (form === LITTLE ? 0.88 : 1);
   };
-  return FORMS.reduce((best, each) => (worth(each) > worth(best) ? each : best))[0];
+  return FORMS.reduce((best, each) => (worth(each) > worth(best) ? each : best));
 }
 
 /** Let `draw` draw the panel as it is `shown`, piece by piece. */

@@ -93,6 +93,7 @@ export class Room {
   /** Keep the machine at which somebody has worked, if anything is in its core. */
   keep(machine) {
     this.own = machine.processor.core.some((word) => word) ? machine : null;
+    this.#buttons();
   }
 
   /** Put into the room what an afternoon has. */
