@@ -238,6 +238,8 @@ class Expressions(Types):
                 pairs = zip(keys, values, strict=True)
                 each = (f"[{self.e(k)}, {self.e(v)}]" if k else f"...{self.e(v)}.items()" for k, v in pairs)
                 return f"$.dict([{', '.join(each)}])"
+            case ast.Starred(ast.GeneratorExp(value, generators)):
+                return f"...{self._comprehension(generators, value)}"
             case ast.Starred(value):
                 return f"...{self.iterated(value)}"
             case ast.Lambda(
@@ -501,7 +503,8 @@ class Expressions(Types):
                 if values in ((WORD, WORD), (STR, STR), (BOOL, BOOL)):
                     return f"({a} {no or '='}== {b})"
                 if numbers:
-                    return f"({a} {no or '='}= {b})"
+                    strict = "" if self.checked or BOOL in values else "="
+                    return f"({a} {no or '='}={strict} {b})"
                 self.comparable(node, *kinds)
                 return f"{no}$.eq({a}, {b})"
             case ast.In() | ast.NotIn():
@@ -608,7 +611,9 @@ class Expressions(Types):
                     self.fail(node, f"something in {each}", "an annotation")
                 else:
                     self.comparable(node, kind, inner)
-        plain = kind in (STR, WORD, INT) and self.item(all_) == kind and all_.name in _LISTS
+        item_ = self.item(all_)
+        same = kind == item_ or (not self.checked and kind in WHOLE and item_ in WHOLE)
+        plain = kind in (STR, WORD, INT) and same and all_.name in _LISTS
         return f"{b}.includes({a})" if plain else f"$.has({b}, {a})"
 
     # Names, attributes, items.
@@ -718,11 +723,11 @@ class Expressions(Types):
             return f"{text}[{number}]"
         if kind.name == "words" and not self.checked:
             return f"{text}[{at}]"
-        if kind.name in ("tuple", "row"):
-            at += ', "tuple index"'
         twice = re.fullmatch(r"[\w.$]+", text + at)  # it may stand there twice
         direct = twice and kind.name in (*_LISTS, "words")
-        return f"({text}[{at}] ?? $.at({text}, {at}))" if direct else f"$.at({text}, {at})"
+        named_ = ', "tuple index"' if kind.name in ("tuple", "row") and self.checked else ""
+        safe = f"$.at({text}, {at}{named_})"
+        return f"({text}[{at}] ?? {safe})" if direct else safe
 
     def _index(self, value: ast.expr, index: ast.expr, kind: Type) -> None:
         """Refuse an index that is none."""

@@ -321,7 +321,7 @@ class Statements(Expressions):
                     self.fail(target, f"an item of {kind} is set", "a list")
                 if not self.trusted:
                     self._index(of, index, kind)
-                direct = kind.name == "words" or (kind.name == "list" and self.infer(index) == WORD)
+                direct = kind.name in ("list", "words", "bytearray")
                 if self.checked or not direct or (whole(index) or 0) < 0:
                     return f"$.put({self.e(of)}, {self.e(index)}, {value});"
                 return f"{self.e(of)}[{self.e(index)}] = {value};"
