@@ -1,4 +1,4 @@
-"""A tape of 1971 as a program for today's mill: RS-274, safe as it stands.
+"""A tape of 1971 as a program for today's mill: RS-274, safe without a change.
 
     G0 X2.2500 Y4.0000 (N7)      in X and Y, rapids go at the safe height
     G0 Z0.0500 (N7)              in Z, down to just above the stock

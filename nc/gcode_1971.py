@@ -9,7 +9,7 @@ controller from rounding it. The quill's depth becomes a negative Z with zero at
 Program stop, end of program and manual tool change are M0, as they wait for START; a manual tool change stops
 the spindle too. A tape that ends in the work, as the thesis's do, leaves the cutter there until its block 001
 is run again; here Z goes to the top first. M2 ends the program. The feeds are those the path was cut with.
-RS-274's M6 stops the spindle, so M3 follows it; RS-274 can have both coolants on, so M9 stands between them.
+RS-274's M6 stops the spindle, so M3 follows it; RS-274 can have both coolants on, so M9 comes between them.
 A tap comes out of its hole with the spindle reversed, M4, as in a floating holder; at the Z feed of the tape
 it would break, so it is fed by its pitch or refused.
 
@@ -82,7 +82,7 @@ def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
 
 
 def _words(move: Move, unit: Unit) -> str:
-    """Return the axes that move; of a position both X and Y, as where a controller stands is not known."""
+    """Return the axes that move; a position names both X and Y, as a controller may be anywhere before it."""
     start, end = _signed(move.start), _signed(move.end)
     whole = "XY" if move.kind == MoveKind.POSITION else ""
     return " ".join(

@@ -9,7 +9,7 @@
     read Z          X and Y of the block are the Z feed point and the final depth; nothing moves
 
 The axes are not interpolated: with two feeds the cutter moves along their slope until one axis arrives, then
-the other moves alone (thesis, Figure 3.1). X, Y and the quill begin at zero. The operator presses START after
+only the other moves (thesis, Figure 3.1). X, Y and the quill begin at zero. The operator presses START after
 every stop; the operator's time and the time of indexing are not counted.
 
 The thesis does not say the following; this machine assumes it. The quill moves at the positioning speed
@@ -228,7 +228,7 @@ class _Motion:
         yield self._move(kind, Position(self.at.x, self.at.y, depth), speed)
 
     def _table(self, kind: MoveKind, x_speed: float, y_speed: float) -> Iterator[Move]:
-        """Move X and Y to the block's place, each at its own speed: together, then the later one alone."""
+        """Move X and Y to the block's place, at their own speeds: both, until one arrives, then the other."""
         x, y, z = self.at
         together = corner((x, y), (self.block.x, self.block.y), x_speed, y_speed)
         if together != (x, y):

@@ -199,7 +199,7 @@ class Path:
 
     @property
     def contour(self) -> Times:
-        """The time of the contour alone, which Chapter 7 gives: its blocks read, and milled."""
+        """The time to read and mill the blocks of the contour, which Chapter 7 gives."""
         return Times(self.read_seconds * self.milling_blocks, 0, 0, self.times.milling, 0)
 
     def clock(self) -> Iterator[float]:

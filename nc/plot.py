@@ -5,7 +5,7 @@
     └───────────────┘
     ┌───────────────┐
     │  close, 10:1  │   about the current block: the nominal curve, its band, the steps with their blocks
-    └───────────────┘   or an inset, one axis stretched: the steps in their band alone
+    └───────────────┘   or an inset, one axis stretched: only the steps in their band
 
 The cut surface is the path drawn with the cutter's width and round ends, as an SVG stroke.
 """
@@ -244,7 +244,7 @@ def _number_steps(view: View, path: Path, current: int) -> None:
 
 
 def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:
-    """Return the moves joined end to end into lines of (x, y); moves of the quill alone are left out."""
+    """Return the moves joined end to end into lines of (x, y); moves of the quill are left out."""
     runs: list[list[tuple[float, float]]] = []
     end = None
     for move in moves:

@@ -81,8 +81,8 @@ def _trace(
     sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str, background: float
 ) -> None:
     """Draw one wall in its frame, with its scales."""
-    room = 0.5 + background / 2
-    low, high = floor(float(np.nanmin(deviation)) - room), ceil(float(np.nanmax(deviation)) + room)
+    margin = 0.5 + background / 2
+    low, high = floor(float(np.nanmin(deviation)) - margin), ceil(float(np.nanmax(deviation)) + margin)
     start, length = float(along[0]), float(along[-1] - along[0])
     up, across = _HEIGHT / (high - low), _WIDTH / length
     bottom, right = top + _HEIGHT, _LEFT + _WIDTH

@@ -15,7 +15,7 @@ from tapes.expression import LANGUAGE, function
 
 def part(
     expression: Annotated[
-        str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same; in front 0-x stands for -x"
+        str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same; write 0-x for -x at the start"
     ],
     *,
     from_: Annotated[float, "X where it starts", INCHES] = 0.0,

@@ -7,7 +7,7 @@
       |     '-- - - - - - --'        |       The block is about 12 x 8 x 2 in; its corner lies at the table's
       '------------------------------'       zero, the ellipses in its middle. Axes are the cutter centre's.
 
-The thesis gives the opening alone; the two other sets are our choice, such that they lie round it and in the
+The thesis gives only the opening; the two other sets are our choice, such that they lie round it and in the
 block.
 
 Source: thesis, Chapter 7 and Table 10.1.

@@ -1,4 +1,4 @@
-"""Holes by position alone, the machine's normal use; by default the complete example of Chapter 3.
+"""Drilled holes, the machine's normal use; by default the complete example of Chapter 3.
 
     001 0 00000 00000 0 35 88     spindle 3100 rpm
     002 9 03000 03500 0 01 89     Z feed point 3.000, final depth 3.500, Z feed 1 in/min

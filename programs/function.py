@@ -129,7 +129,9 @@ def offset_path(
 
 
 def _slopes(heights: list[float]) -> list[float]:
-    """Return the slope at each of three heights or more: that of its neighbours, at the ends a parabola's."""
+    """Return the slope at each of three or more heights: the slope between its neighbours; at both ends that
+    of the parabola through the last three.
+    """
     a, b, c = heights[:3]
     x, y, z = heights[-3:]
     inner = [(there - here) / 2 for here, there in zip(heights, heights[2:], strict=False)]

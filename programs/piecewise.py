@@ -1,6 +1,6 @@
 """The Piece-wise Linear Technique of Chapter 3: X and Y run together, at two feeds that follow the slope.
 
-          .---B      From A both axes start, each at its own feed; one arrives, the other moves on alone
+          .---B      From A both axes start, each at its own feed; one arrives, only the other moves on
        .'            (Figure 3.1). A block goes as far as the band allows for any error of the feeds. Of all
      .'              pairs of feeds, the pair with the greatest distance per block is used: a block sets one
     A                feed, so a change of both needs one block more.
@@ -34,7 +34,7 @@ _MIDDLE_FIRST = tuple(place / _PLACES for place in (6, 9, 3, 7, 5, 8, 4, 10, 2, 
 
 
 class Feeds(NamedTuple):
-    """The feed codes of Table 2.4 that X and Y have; 0 for an axis that stands still."""
+    """The feed codes of Table 2.4 that X and Y have; 0 for an axis that does not move."""
 
     x: int
     y: int
@@ -166,16 +166,16 @@ class Technique:
 
 def _asides(stretch: Stretch, at: Point, x: int, y: int) -> range:
     """Return how far aside of a ray stops are tried: across the band along X or Y, either way."""
-    width = _room(stretch, at, x, y) + _room(stretch, at, -x, -y)
+    width = _steps_inside(stretch, at, x, y) + _steps_inside(stretch, at, -x, -y)
     return range(-width, width + 1, max(1, width // 10))
 
 
-def _room(stretch: Stretch, at: Point, x: int, y: int) -> int:
+def _steps_inside(stretch: Stretch, at: Point, x: int, y: int) -> int:
     """Return how many steps of `x`, `y` from a stop are still in the band, at most 100."""
-    room = 0
-    while room < 100 and stretch.inside(at.x + x * (room + 1), at.y + y * (room + 1)):
-        room += 1
-    return room
+    steps = 0
+    while steps < 100 and stretch.inside(at.x + x * (steps + 1), at.y + y * (steps + 1)):
+        steps += 1
+    return steps
 
 
 def _passes(stretch: Stretch, at: Point, stop: Point) -> bool:

@@ -147,7 +147,7 @@ def _cells(start: Place, end: Place, cell: float) -> set[int]:
 
 
 def _meet(a: Place, b: Place, c: Place, d: Place) -> bool:
-    """Tell whether two sides have a point in common."""
+    """Whether two sides have a point in common."""
     apart_x = max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0])
     apart_y = max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1])
     if apart_x or apart_y:

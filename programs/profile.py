@@ -36,7 +36,7 @@ _LEFT = 1
 """Thousandths of an inch that a cutter may leave in a corner."""
 _STEP = radians(2)
 _FLAT = 1e-6
-"""Thousandths of an inch; less along an axis is no way."""
+"""Thousandths of an inch; a shorter step along an axis has no direction."""
 
 
 RoundSide = Annotated[Literal["outside", "inside"], "side of the surface that the cutter is on", "cutter"]
@@ -127,7 +127,7 @@ def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
 
 
 def _about(before: Place, here: Place, after: Place, beside: float) -> list[Place]:
-    """Return the path at a point of a line, `beside` to the left: a place, or an arc round a corner."""
+    """Return the path past `here`, `beside` to its left: a single place, or an arc round a corner."""
     angle = turn(before, here, after)
     half = atan2(here[1] - before[1], here[0] - before[0]) + angle / 2 + radians(90)
     if angle * beside >= 0 or abs(angle) < _STEP:
@@ -179,7 +179,9 @@ def _stretch(
 
 
 def _ways(steps: list[float]) -> list[int]:
-    """Return the way of each step, 1 or -1; one of no length goes on, the first ones as what follows."""
+    """Return the direction of each step, 1 or -1; a step of no length takes the direction before it, or the
+    first one there is.
+    """
     way = next(_way(step) for step in steps if abs(step) > _FLAT)
     ways = []
     for step in steps:
@@ -193,7 +195,7 @@ def _way(step: float) -> int:
 
 
 class _Band:
-    """The band of a piece of a path along which X and Y each go one way."""
+    """The band about a piece of a path along which X and Y each have one direction."""
 
     def __init__(self, path: Sequence[Place], dx: int, dy: int, tolerance: float) -> None:
         self._dx, self._dy, self._tolerance = dx, dy, tolerance

@@ -1,4 +1,4 @@
-"""A slope of any angle, which the machine alone cannot mill (Chapter 3, Figures 3.1 to 3.3).
+"""A slope of any angle, which the machine cannot mill in one cut (Chapter 3, Figures 3.1 to 3.3).
 
 The default is that of the chapter: 30 degrees to the X axis, 5 inches long, +-.005. Its place on the table is
 our choice.

@@ -100,7 +100,9 @@ class Metric:
 def numbers(
     names: str, one_for_all: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return a callback that reads numbers separated by commas; `one_for_all`: one may stand for all."""
+    """Return a callback that reads numbers separated by commas; with `one_for_all` a single number is all of
+    them.
+    """
     count = len(names.split(","))
 
     def read(_: click.Context, __: click.Parameter, value: str | None) -> tuple[float, ...] | None:
@@ -164,7 +166,8 @@ class Feeds:
 
         for error in self.feed_error:
             if not abs(error) <= 20:
-                raise click.BadParameter(f"{error:g} %: -20 to 20 is allowed", param_hint="--feed-error")
+                said = f"{error:g} % is not allowed: give -20 to 20"
+                raise click.BadParameter(said, param_hint="--feed-error")
         x, y, z = self.feed_error
         return Settings((x / 100, y / 100, z / 100), self.feed_code)
 

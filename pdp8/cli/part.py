@@ -98,10 +98,18 @@ def _command(part: Part) -> click.Command:
 def _put_beside(tape: str, nominal: Nominal, text: str) -> None:
     """Write the nominal curve beside a tape, for `pdp8 nc`, unless a file is there that is none."""
     name = companion.beside(tape)
-    if os.path.exists(name) and not (os.path.isfile(name) and companion.is_one(shelf.read_text(name))):
+    if os.path.exists(name) and not _is_ours(name):
         command.say(f"{name} is there, and is no nominal curve: it is kept, and `pdp8 nc` needs --profile")
         return
     command.put(name, companion.written(nominal, text))
+
+
+def _is_ours(name: str) -> bool:
+    """Whether a file is a nominal curve, which another may replace: it is looked at, not read as a source."""
+    if not os.path.isfile(name):
+        return False
+    with open(name, encoding="utf-8", errors="replace") as file:
+        return companion.is_one(file.read(1000))
 
 
 def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[str, Any]]:

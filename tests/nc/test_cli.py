@@ -159,8 +159,8 @@ def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:
 
 MISUSE = {
     "cut": {
-        "--feed-error 5,-21,0": "-21 %: -20 to 20 is allowed",
-        "--feed-error nan": "nan %: -20 to 20 is allowed",
+        "--feed-error 5,-21,0": "-21 % is not allowed: give -20 to 20",
+        "--feed-error nan": "nan % is not allowed: give -20 to 20",
         "--feed-error 1,2": "'1,2' is not X,Y,Z: 3 numbers separated by commas",
         "--feed-error fast": "'fast' is not X,Y,Z: 3 numbers separated by commas",
         "--feed-code 0": "0 is not in the range 1<=x<=18.",
@@ -245,3 +245,28 @@ def test_every_command_has_help_with_examples() -> None:
         found = re.findall(r"\[default:\s+([^]]*)\]", said)
         assert [" ".join(each.split()) for each in found] == defaults
         assert "Examples:\n" in said
+
+
+def test_a_part_is_judged_by_the_curve_that_was_written_beside_its_tape(shell: Shell) -> None:
+    """A cam is out of an ellipse's tolerance, and within its own; another tape is not judged by it."""
+    made = "pdp8 part profile '1.5+0.25*cos(x)' --cutter 0.25 --stop inside --tolerance 0.003"
+    chain = f"{made} -o cam.asc && pdp8 run eia.pal --reader cam.asc --punch cam.eia --quiet"
+    done = shell(f"{chain} && pdp8 nc inspect cam.eia --tolerance 0.003 | tail -1")
+    assert b"within tolerance: " in done.stdout
+    done = shell("cp cam.eia other.eia; pdp8 nc inspect other.eia | tail -1")
+    assert done.stdout.startswith(b"no verdict, as the nominal is guessed: ")
+    done = shell("pdp8 nc inspect other.eia --tolerance 0.003")
+    assert (done.returncode, b"--tolerance needs the nominal curve" in done.stderr) == (2, True)
+    done = shell("pdp8 part circle -o cam.asc; pdp8 nc inspect cam.eia | tail -1")
+    assert b"cam.json is of another tape, its blocks differ: not used" in done.stderr
+    assert done.stdout.startswith(b"no verdict")
+
+
+def test_a_tap_needs_its_pitch(shell: Shell) -> None:
+    frames = tape("001 0 00000 00000 0 30 88", "002 9 03000 03300 0 02 89", "003 1 01000 01000 0 00 80")
+    done = shell("pdp8 nc export --gcode", frames)
+    assert (done.returncode, b"block 3 taps" in done.stderr) == (1, True)
+    lines = product(shell, "pdp8 nc export --gcode --tap .05", frames).splitlines()
+    first = lines.index("G1 Z-0.3000 F90.0 (N3)")  # 1800 turns of .05 in
+    assert lines[first + 1 : first + 4] == ["M4 S1800", "G4 P1", "G1 Z0.0500 (N3)"]
+    assert shell("pdp8 nc export circle.eia --gcode --tap .05").returncode == 1

@@ -1,0 +1,89 @@
+"""Points as spreadsheets and CAD programs write them."""
+
+from collections.abc import Iterable
+from math import cos, hypot, pi, sin
+
+import pytest
+
+from programs.table import read
+from tapes.errors import WorkError
+
+POINTS = [(1.5 * cos(2 * pi * at / 60), 1.2 * sin(2 * pi * at / 60)) for at in range(60)]
+
+
+def lines(rows: Iterable[str], *header: str) -> str:
+    return "\n".join([*header, *rows]) + "\n"
+
+
+def rows(form: str, scale: float = 1) -> list[str]:
+    return [form.format(scale * x, scale * y, number) for number, (x, y) in enumerate(POINTS)]
+
+
+def german(form: str, scale: float = 1) -> list[str]:
+    return [line.replace(".", ",") for line in rows(form, scale)]
+
+
+FILES = {
+    "Excel, German": lines(german("{0:.4f};{1:.4f}"), "X;Y").replace("\n", "\r\n"),
+    "Excel, German, mm": lines(german("{0:.3f};{1:.3f}", 25.4), "X [mm];Y [mm]"),
+    "Excel, a row of units": lines(german("{0:.3f};{1:.3f}", 25.4), "X;Y", "mm;mm"),
+    "Excel, sep=": lines(rows("{0:.4f},{1:.4f},,"), "sep=,"),
+    "Excel, Unicode text": "\ufeff" + lines(german("{0:.4f}\t{1:.4f}"), "X\tY"),
+    "LibreOffice, quoted": lines(german('"{0:.4f}","{1:.4f}"'), '"x","y"'),
+    "FreeCAD": lines(rows("{0:.4f} {1:.4f} 0.0"), "# point cloud", "x y z"),
+    "SolidWorks": lines(rows("{0:.4f}mm\t{1:.4f}mm\t0mm", 25.4)),
+    "AutoCAD": lines(rows("X = {0:.4f}     Y = {1:.4f}     Z = 0.0000")),
+    "QCAD": lines(rows("   at point  X={0:.4f}  Y={1:.4f}")),
+    "pandas": lines(rows("{2},{0!r},{1!r}"), ",x,y"),
+    "R": lines(rows('"{2}" {0!r} {1!r}'), '"x" "y"'),
+    "gnuplot": "\n\n# Curve 0 of 1\n# x y type\n" + lines(rows("{0:.5f} {1:.5f}  i")),
+    "numbered": lines(rows("{2},{0:.4f},{1:.4f},0")),
+    "exchanged": lines(rows("{1:.4f},{0:.4f}"), "Y,X"),
+    "decimal commas by commas": lines(german("{0:.4f}, {1:.4f}")),
+    "JSON": "[" + ",\n".join(rows("[{0:.4f}, {1:.4f}]")) + "]\n",
+    "a title": lines(german("{0:.4f};{1:.4f}"), "Nocken, Blatt 1", "", "X;Y"),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("code", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_file_is_read(name: str, code: str) -> None:
+    found = read(FILES[name].removeprefix("\ufeff").encode(code)).places
+    assert [each for place in found for each in place] == pytest.approx(
+        [each for place in POINTS for each in place], abs=1e-4
+    )
+
+
+def test_an_angle_and_a_radius_are_polar() -> None:
+    text = "Winkel;Radius\n0°;1,5\n90°;2\n180°;1\n"
+    found = read(text.encode()).places
+    assert [hypot(*place) for place in found] == pytest.approx([1.5, 2, 1])
+    assert found[1] == pytest.approx((0, 2))
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("1,2\n3,4\nNaN,5\n", "line 3: 'NaN,5' is not x and y of a point"),
+        ("X;Y\n1,5;2\n1;1\n#DIV/0!;0,5\n", "line 4: '#DIV/0!;0,5' is not x and y of a point"),
+        ("1,2\n3,4\n5\n", "line 3: '5' is not x and y of a point"),
+        ("1,2,3,4\n5,6,7,9\n", "line 1: 4 columns: which are x and y?"),
+        ("38.1 0\n0 38.1\n-38.1 0\n", "the points are 76.2 across, and the table is 20 in: if they are"),
+        ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
+        ("<svg/>", "it is XML or SVG: export the points as CSV"),
+        ("  0\nSECTION\n", "it is a DXF drawing: export the points as CSV"),
+        ("", "no points: x and y are needed on each line"),
+    ],
+)
+def test_what_is_no_point_is_named_with_its_line(text: str, says: str) -> None:
+    with pytest.raises(WorkError) as raised:
+        read(text.encode())
+    assert str(raised.value).startswith(says)
+
+
+def test_millimetres_are_asked_for_or_said() -> None:
+    large = b"38.1 0\n0 38.1\n-38.1 0\n"
+    assert read(large, mm=True).places[0] == pytest.approx((1.5, 0))
+    with pytest.raises(WorkError, match="line 1: the unit is in: leave out --mm"):
+        read(b"x in,y in\n1,2\n3,4\n", mm=True)
+    assert read(b"10 0\n0 5\n-10 0\n").places[0] == (10, 0)  # 20 in, as wide as the table
