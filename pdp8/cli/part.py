@@ -98,6 +98,9 @@ def _command(part: Part) -> click.Command:
 def _put_beside(tape: str, nominal: Nominal, text: str) -> None:
     """Write the nominal curve beside a tape, for `pdp8 nc`, unless a file is there that is none."""
     name = companion.beside(tape)
+    if os.path.exists(name) and command.keeps(click.get_current_context()):
+        command.say(f"{name} is there already, and is kept for --no-clobber")
+        return
     if os.path.exists(name) and not _is_ours(name):
         command.say(f"{name} is there, and is no nominal curve: it is kept, and `pdp8 nc` needs --profile")
         return
