@@ -4,7 +4,7 @@
 the tape, pass 3 and what is for people to read, only when it is asked for, so that a program starts sooner.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -40,6 +40,10 @@ class Assembly:
         self.dialect = dialect
         self.names = names
         self.noted: list[Said] = []
+
+    def __iter__(self) -> Iterator[tuple[int, int]]:
+        """Yield (address, word), so that a machine loads an assembly as it is."""
+        return iter(self.words.items())
 
     @property
     def tape(self) -> bytes:

@@ -84,7 +84,7 @@ if TYPE_CHECKING:
     from tapes.errors import TapeError as TapeError
     from tapes.errors import WorkError as WorkError
 
-    tape = shelf.read
+    tape = shelf.tape
 
     __version__: str
 
@@ -111,7 +111,7 @@ _PLACES = {
     "rim": ("tapes.rim", ""),
     "signals": ("pdp8.computer.hardware.signals", ""),
     "state": ("pdp8.computer.past.state", ""),
-    "tape": ("pdp8.shelf", "read"),
+    "tape": ("pdp8.shelf", "tape"),
 }
 """Where each name is: a module, and the name there, or the module itself."""
 

@@ -18,6 +18,7 @@ from tapes.utf16 import is_utf16
 
 if TYPE_CHECKING:
     from pdp8.computer.use.program import Program
+    from tapes.notebook import Tape
 
 HIDES = "is the file in this folder, not the bundled one of that name"
 LARGEST = 2 << 20
@@ -32,6 +33,13 @@ _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
 """Endings that tell another format than SVG."""
+
+_IMAGES = {
+    **dict.fromkeys((".rk05", ".rl01", ".rf08", ".dsk"), "a disk image: there is no disk on this machine"),
+    **dict.fromkeys((".rx01", ".rx02"), "a floppy's image: there is no floppy on this machine"),
+    **dict.fromkeys((".tu56", ".dt8"), "a DECtape image"),
+}
+"""Files of other emulators, by their endings."""
 
 _watches: list["_Watch | None"] = [None]
 
@@ -160,11 +168,21 @@ def read(name: str, most: int = LARGEST) -> bytes:
     return content
 
 
+def tape(name: str) -> "Tape":
+    """Return the frames of a file as `read` does; a notebook shows them as a picture."""
+    from tapes.notebook import Tape
+
+    return Tape(read(name))
+
+
 def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
     from pdp8.computer.use import program
     from tapes import dump, spelled
 
+    image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
+    if image:
+        raise ShelfError(f"{name}: {image}, and no program tape")
     content = read(name)
     dumped = None if spelled.found(content) else dump.found(content)
     if dumped is None:

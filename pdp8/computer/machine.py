@@ -131,6 +131,8 @@ class Machine:
         """Put `words`, {address: word}, into core. Raises LoadError if an address or a word is not one of
         0000 to 7777, and then loads nothing.
         """
+        if isinstance(words, str):
+            raise LoadError("a name: load(pdp8.assemble(pdp8.tape(NAME))) loads a source")
         words = dict(words)
         for address, word in words.items():
             if not 0 <= address < SIZE:

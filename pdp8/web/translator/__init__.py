@@ -49,7 +49,7 @@ MODULES = {
 """What is translated: of each package some modules, or all."""
 
 OMITTED = {
-    "pal.assembly": "__repr__ _repr_html_",
+    "pal.assembly": "__iter__ __repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
     "pdp8.computer.use.ending": "rerun",
