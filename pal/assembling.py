@@ -36,8 +36,8 @@ def assemble(
     capacity  how many symbols of the source the table takes: TELETYPE_SYMBOLS, or HIGH_SPEED_SYMBOLS, which
               reads ahead and at PAUSE loses the rest of the line
     model     one of models.MODELS: the diagnostics note what other models do otherwise
-    dialect   "pal3", "pal8", or "auto": PAL III where the source is clean, or else PAL8 where it is clean or
-              has a line of PAL8's (`pal.recognition`); a note says so
+    dialect   "pal3", "pal8", or "auto": PAL III if the source has no error there, else PAL8 if it has none
+              there, or has a line of PAL8's (`pal.recognition`); a note says so
     wipe      PAL8's /W: literals that were put out are forgotten, so that an overlay may go there
     exact     PAL8 as DEC's own reads it, without what is allowed besides (`pal.pal8`)
 
