@@ -11,6 +11,7 @@ from typing import Final
 from tapes import ascii, eia, ita2, loaders
 from tapes.code import PERHAPS, Characters, Code, nearly_all
 from tapes.frames import BLANK, label_before, leader_start, skip
+from tapes.loaders import Words
 
 BIN: Final = loaders.BIN
 RIM: Final = loaders.RIM
@@ -60,7 +61,7 @@ def start(frames: bytes) -> int:
     label of a tape of words; any other tape's first.
     """
     code = recognise(frames)
-    if isinstance(code, loaders.Words):
+    if isinstance(code, Words):
         return code.start(frames)
     leader = leader_start(frames)
     return 0 if leader is None or label_before(frames, leader) else leader
