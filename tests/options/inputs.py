@@ -195,7 +195,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "missing.pal -o out.bin",
         "missing.pal --dialect pal8", "missing.pal --dialect pal8 -o out.bin", "models.pal", "",
     ),
-    "dis": ("work.bin",),
+    "dis": ("work.bin", "sum.bin", "cut.bin"),
     "tape clean": ("small.eia",),
     "tape cut": ("small.eia",),
     "tape convert": (
@@ -203,6 +203,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "in.asc --to text",
         "typed.txt --to ascii",
         "work.bin --to rim",
+        "sum.bin --to rim",
         "in.asc",
         "digits.txt --to ascii",
     ),
@@ -416,6 +417,15 @@ _FLAGS: Final = ("nc export --tool-change", "part circle --close", "part ellipse
 HIDDEN: Final = {
     "run --keyboard": "needs a terminal: tests/pdp8/cli/test_terminal.py",
     "run --line": "needs a serial line: tests/pdp8/cli/test_line.py",
+    **{
+        f"tape convert {two}": "one is for a damaged tape of words, the other is tried with characters"
+        for two in (
+            *("--code --force", "--to --force", "--parity --force", "--fill --force", "--accept --force"),
+            "--mend --force",
+        )
+    },
+    "run --line-bits": "the same",
+    "run --line-speed": "the same",
     "run --realtime": "takes time, and changes nothing else",
     "panel": "needs a terminal: tests/pdp8/console/test_command.py",
     "pal --lsp": "serves an editor: tests/pal/test_server.py",
