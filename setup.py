@@ -24,7 +24,7 @@ HOUSE = Path(__file__).parent
 BUILD = Path("build")
 
 DEVICES = (
-    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "extension", "processor", "teletype")),
     "pdp8.computer.speed.waiting",
 )
 PAL8 = ("expressions", "operators", "log", "lexer", "output", "table", "literals", "assembler")

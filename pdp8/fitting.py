@@ -1,6 +1,6 @@
 """Devices by what `--device` calls them: a name, or a class in a file of one's own.
 
-    pdp8 run --device highspeed prog.pal        one of pdp8/computer/hardware/devices.py
+    pdp8 run --device highspeed prog.pal        one of pdp8/computer/hardware/devices.py, or dectape
     pdp8 run --device clock.py:KW8 prog.pal
 
 A class of one's own is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE.
@@ -9,6 +9,7 @@ Its file is run as Python runs any file: fit no device whose file you would not 
 
 import os
 from collections.abc import Iterable
+from functools import cache
 from importlib.util import module_from_spec, spec_from_file_location
 from traceback import extract_tb
 
@@ -20,17 +21,28 @@ from tapes.errors import WorkError
 _MARK = "__file_of_devices__"
 
 Devices = list[type[Peripheral]]
-_KNOWN = {device.NAME: type(device) for device in one_of_each()}
+
+
+def known() -> list[Peripheral]:
+    """Return a device of every kind that has a name."""
+    from pdp8.computer.dectape.tc08 import TC08  # for those who have one
+
+    return [*one_of_each(), TC08()]
+
+
+@cache
+def _by_name() -> dict[str, type[Peripheral]]:
+    return {device.NAME: type(device) for device in known()}
 
 
 def file_of(name: str) -> str | None:
     """Return the file of FILE:CLASS, None for the name of a device. Raises WorkError for neither."""
-    if name in _KNOWN:
+    if name in _by_name():
         return None
     file, _, of_class = name.rpartition(":")
     if not (file and of_class.isidentifier()):
         raise WorkError(
-            f"{name}: {' and '.join(_KNOWN)} are devices; for one of your own FILE:CLASS, as in clock.py:KW8"
+            f"{name}: {', '.join(_by_name())} are devices; for one of your own FILE:CLASS, as in clock.py:KW8"
         )
     return file
 
@@ -40,7 +52,7 @@ def devices(names: Iterable[str]) -> Devices:
     found: Devices = []
     for name in names:
         file = file_of(name)
-        made = _KNOWN[name] if file is None else _device(file, name.removeprefix(f"{file}:"))
+        made = _by_name()[name] if file is None else _device(file, name.removeprefix(f"{file}:"))
         for other in found:
             if made.CODE == other.CODE:
                 raise WorkError(f"{name}: {other.__name__} has device code {made.CODE:02o} too")

@@ -18,11 +18,13 @@ The names of the operations become an enum. The function holds assignments to in
         else:
             break               ended:
 
-What has no translation is an error. setup.py calls this.
+The function is translated twice, `execute_across` with all its parameters; in `execute` what is in SAME is
+the parameter that it names. What has no translation is an error. setup.py calls this.
 """
 
 import ast
 from collections.abc import Iterator
+from copy import deepcopy
 from pathlib import Path
 
 OPERATORS: dict[type[ast.AST], str] = {
@@ -50,17 +52,29 @@ TYPES = {
 """Of the parameters, by their annotations."""
 LABELS = 32
 """As many operations have room."""
+SAME = {"data": "core", "data_ops": "ops"}
+
+
+class _Same(ast.NodeTransformer):
+    """Puts the parameter that another one is the same as in its place."""
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
+        node.args.args = [each for each in node.args.args if each.arg not in SAME]
+        self.generic_visit(node)
+        return node
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        return ast.Name(SAME.get(node.id, node.id), node.ctx)
 
 
 def translate(source: Path) -> str:
-    """Return the C of the function in `source`. Raises ValueError for what has no translation."""
+    """Return the C of the function `execute` in `source`. Raises ValueError for what has no translation."""
     tree = ast.parse(source.read_text())
-    (function,) = (node for node in tree.body if isinstance(node, ast.FunctionDef))
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    across = next(node for node in functions if node.name == "execute")
+    within = _Same().visit(deepcopy(across))
+    across.name += "_across"
     constants = dict(_constants(tree))
-    place, loop = next((i, node) for i, node in enumerate(function.body) if isinstance(node, ast.While))
-    *fetch, branches = loop.body
-    operations = dict(_operations(branches, constants))
-    names = {node.id for node in ast.walk(function) if isinstance(node, ast.Name) and _is_set(node)}
     lines = [
         f"/* Translated from {source.name} by release/threaded.py. */",
         "#include <stdint.h>",
@@ -70,23 +84,37 @@ def translate(source: Path) -> str:
         "#define JUMP goto jump;",
         "#endif",
         f"enum {{ {', '.join(f'{name} = {number}' for name, number in constants.items())} }};",
-        f"#define NEXT if (!{_expression(loop.test)}) goto ended; {' '.join(_statements(fetch))} JUMP",
-        f"static int {function.name}({', '.join(_parameters(function))}) {{",
-        f"int64_t {', '.join(sorted(names))};",
-        *_statements(function.body[1:place]),  # the first is the docstring
-        "#ifdef __GNUC__",
-        f"static void *labels[] = {{{', '.join('&&' + _label(i, operations) for i in range(LABELS))}}};",
-        "NEXT",
-        "#else",
-        "NEXT",
-        "jump: switch (op) {",
-        *(f"case {number}: goto {_label(number, operations)};" for number in operations),
-        "default: goto ended; }",
-        "#endif",
     ]
+    return "\n".join([*lines, *_function(within, constants), *_function(across, constants), ""])
+
+
+def _function(function: ast.FunctionDef, constants: dict[str, int]) -> Iterator[str]:
+    """Yield the lines of the C of `function`."""
+    place, loop = next((i, node) for i, node in enumerate(function.body) if isinstance(node, ast.While))
+    *fetch, branches = loop.body
+    operations = dict(_operations(branches, constants))
+    names = {node.id for node in ast.walk(function) if isinstance(node, ast.Name) and _is_set(node)}
+    yield "#undef NEXT"
+    yield f"#define NEXT if (!{_expression(loop.test)}) goto ended; {' '.join(_statements(fetch))} JUMP"
+    yield f"static int {function.name}({', '.join(_parameters(function))}) {{"
+    yield f"int64_t {', '.join(sorted(names))};"
+    yield from _statements(function.body[1:place])  # the first is the docstring
+    yield "#ifdef __GNUC__"
+    yield f"static void *labels[] = {{{', '.join('&&' + _label(i, operations) for i in range(LABELS))}}};"
+    yield "NEXT"
+    yield "#else"
+    yield "NEXT"
+    yield "jump: switch (op) {"
+    yield from (f"case {number}: goto {_label(number, operations)};" for number in operations)
+    yield "default: goto ended; }"
+    yield "#endif"
     for number, body in operations.items():
-        lines += [f"{_label(number, operations)}:", *_statements(body), "NEXT"]
-    return "\n".join([*lines, "ended:", *_statements(function.body[place + 1 :]), "}", ""])
+        yield f"{_label(number, operations)}:"
+        yield from _statements(body)
+        yield "NEXT"
+    yield "ended:"
+    yield from _statements(function.body[place + 1 :])
+    yield "}"
 
 
 def _constants(tree: ast.Module) -> Iterator[tuple[str, int]]:

@@ -14,6 +14,7 @@ from pdp8.cli.shared.arguments import Command, Source
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
+from pdp8.monitor import rack
 from pdp8.monitor.commands import COMMANDS, do, do_file
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import next_tape
@@ -55,13 +56,16 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
     if script is None and sys.stdin.isatty():
         if echo:
             raise click.UsageError("--echo means nothing without SCRIPT.")
-        click.echo("PDP-8/L, 4K. help tells what there is; quit leaves.")
+        click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
         converse(made)
     else:
         if echo:
             made.echo = lambda line: command.echo(f"* {line}")
-        do_file(made, script or "-")
-        take_off(made)
+        try:
+            do_file(made, script or "-")
+            take_off(made)
+        finally:
+            rack.leave(made)
 
 
 def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
@@ -89,8 +93,10 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
             signal.signal(signal.SIGINT, before)
         at.end_line()
         if made.finished:
-            return
-    take_off(made)
+            break
+    else:
+        take_off(made)
+    rack.leave(made)
 
 
 def sit_down(

@@ -19,6 +19,8 @@ from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
 from pdp8.cli.shared.parameters import octal, seconds
 from pdp8.cli.shared.rules import declared, is_given, option
+from pdp8.computer.hardware.bus import Peripheral
+from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, rerun, said
@@ -81,6 +83,35 @@ class Options:
             multiple=True,
             metavar="NAME|FILE:CLASS",
             help="Fit a device, highspeed or a class in a Python file of your own.",
+        ),
+    ]
+    memory: Annotated[
+        str,
+        option(
+            "--memory",
+            type=click.Choice(list(MEMORY)),
+            default="4k",
+            excludes="--restore",
+            help="Words of core; 32k as no PDP-8/L had it.",
+        ),
+    ]
+    dectape: Annotated[
+        tuple[str, ...],
+        option(
+            "--dectape",
+            multiple=True,
+            metavar="N=FILE",
+            help="Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted.",
+        ),
+    ]
+    save_dectape: Annotated[
+        tuple[str, ...],
+        option(
+            "--save-dectape",
+            multiple=True,
+            metavar="N=FILE",
+            needs="--dectape",
+            help="Save the reel of drive N as the run ends; the image that was mounted stays.",
         ),
     ]
     keyboard: Annotated[
@@ -230,6 +261,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
       pdp8 run --restore noon.state > rest.eia
       pdp8 run --device clock.py:KW8 ticks.pal
+      pdp8 run --memory 8k --dectape 0=ps8.tu56 --keyboard
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
     ctx.meta[command.QUIET] = options.quiet
@@ -242,13 +274,20 @@ def run(ctx: click.Context, /, options: Options) -> None:
     feed = _feed(options, machine)
     if found or "start" in explicit:
         machine.start(options.start)
+    elif options.restore is None:
+        from pdp8 import reels
+
+        reels.boot(machine)
     failures: list[ShelfError] = []
     began = machine.values()
     if _paged(options) or feed.left:
         from pdp8.computer.past.history import History
 
         History(machine)
-    stop = _run(options, machine, found, feed, failures)
+    try:
+        stop = _run(options, machine, found, feed, failures)
+    finally:
+        _save_reels(options, machine, failures)
     if options.save is not None:
         from pdp8.computer.past import state
 
@@ -267,8 +306,10 @@ def _program(options: Options, explicit: Collection[str | None]) -> "Program | N
     """
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
     reads += [fitting.file_of(name) for name in options.device]
+    reels_in, reels_out = (_by_drive(option) for option in (options.dectape, options.save_dectape))
+    reads += reels_in.values()
     page = "-" if options.punch is None and not _paged(options) else options.punch
-    writes = [options.fast_punch, options.trace, options.annotate, options.save]
+    writes = [options.fast_punch, options.trace, options.annotate, options.save, *reels_out.values()]
     arguments.check_files(reads, [page, *writes])
     if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
@@ -297,12 +338,17 @@ def _machine(options: Options, found: "Program | None") -> Machine:
     names = list(options.device)
     if "highspeed" not in names and (options.fast_reader is not None or options.fast_punch is not None):
         names.insert(0, "highspeed")
+    if options.dectape and "dectape" not in names:
+        names.append("dectape")
     devices = fitting.devices(names)
     if options.restore is None:
-        machine = Machine()
+        machine = Machine(memory=MEMORY[options.memory])
         fitting.fit(machine, devices)
+        _mount(options, machine.devices)
     else:
-        machine = _restored(options.restore, devices)
+        machine = _restored(options, devices)
+    if machine.memory == MEMORY["32k"]:
+        command.say("32K of core, and three bits of field: no PDP-8/L had them")
     if found is not None:
         if options.boot:
             _boot(options, machine, found)
@@ -466,7 +512,9 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError(
             f"{more[0]}: one PROGRAM is run; a tape goes into the reader: --reader {more[0]}"
         )
-    if (options.program is None) == (options.restore is None):
+    if options.program is None and options.restore is None and 0 not in _by_drive(options.dectape):
+        raise click.UsageError("give a PROGRAM, or --restore FILE, or --dectape 0=FILE to boot.")
+    if options.program is not None and options.restore is not None:
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
     if options.line and sys.platform == "win32":
         raise click.UsageError("--line needs the serial lines of Linux, macOS or another POSIX system.")
@@ -478,13 +526,60 @@ def _listing(found: "Program | None") -> "Listing":
     return found.listing if found else Listing()
 
 
-def _restored(name: str, devices: "fitting.Devices") -> Machine:
-    """Return the saved machine, with `devices` too."""
+def _restored(options: Options, devices: "fitting.Devices") -> Machine:
+    """Return the saved machine, with `devices` too, and with the reels that are mounted."""
     from pdp8.computer.past import state
 
-    text = shelf.read_text(name, state.LARGEST)
-    with naming(name):
-        return state.restore(text, [made() for made in devices])
+    text = shelf.read_text(str(options.restore), state.LARGEST)
+    fitted = [made() for made in devices]
+    _mount(options, fitted)
+    with naming(str(options.restore)):
+        return state.restore(text, fitted, known=fitting.known())
+
+
+def _by_drive(given: Sequence[str]) -> dict[int, str]:
+    """Return the files of N=FILE, by drives."""
+    if not given:
+        return {}
+    from pdp8 import reels
+
+    found: dict[int, str] = {}
+    for each in given:
+        unit, name = reels.assignment(each)
+        if unit in found:
+            raise click.UsageError(f"{each}: drive {unit} has {found[unit]}.")
+        found[unit] = name
+    return found
+
+
+def _mount(options: Options, devices: Sequence[Peripheral]) -> None:
+    """Mount the reels of --dectape, and say what there is to say of them."""
+    if not options.dectape:
+        return
+    from pdp8 import reels
+
+    mounted = reels.Reels(reels.drives(devices))
+    for unit, name in _by_drive(options.dectape).items():
+        notes = mounted.mount(unit, name)
+        if not options.quiet:
+            command.say_of(name, notes)
+
+
+def _save_reels(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
+    """Save the reels that were to be saved, and what else was written on reels."""
+    if not options.dectape:
+        return
+    from pdp8 import reels
+
+    mounted = reels.Reels(reels.drives(machine.devices))
+    mounted.names = _by_drive(options.dectape)
+    for unit, name in _by_drive(options.save_dectape).items():
+        with _noted(failures):
+            command.say(mounted.save(unit, name))
+            mounted.drives[unit].blocks = {}
+    if options.save is None:
+        for said in mounted.rescue():
+            command.say(said)
 
 
 def _boot(options: Options, machine: Machine, found: "Program") -> None:

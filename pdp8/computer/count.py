@@ -47,17 +47,17 @@ class Count:
         """Count a memory cycle that has ended, an instruction's or an interrupt's."""
         p = processor
         if p.state == FETCH:
-            self._execute(p.ma, p.mb, 1)
-            self._last.append(_Executed(p.ma, p.mb, self.ticks, []))
+            self._execute(p.extension.field | p.ma, p.mb, 1)
+            self._last.append(_Executed(p.extension.field | p.ma, p.mb, self.ticks, []))
             if p.ir == IOT:
                 self.ticks += IO_TICKS
         self.interrupts += interrupt
         self.cycles += 1
         self.ticks += CYCLE
         if wrote(p):
-            self.written[p.ma] += 1
+            self.written[p.extension.field | p.ma] += 1
             if self._last:
-                self._last[-1].written.append(p.ma)
+                self._last[-1].written.append(p.extension.field | p.ma)
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """Count what was passed over: whole turns of the loop that the processor stands in."""
@@ -84,7 +84,10 @@ class Count:
         for executed in reversed(self._last):
             ring.append(executed)
             turn = self.ticks - executed.began
-            if executed.address == processor.pc and instructions * turn == ticks * len(ring):
+            if (
+                executed.address == processor.extension.inst_field | processor.pc
+                and instructions * turn == ticks * len(ring)
+            ):
                 break
         return ring
 

@@ -18,14 +18,15 @@ from contextlib import contextmanager
 from time import monotonic
 from typing import TYPE_CHECKING, Protocol
 
-from pal.isa import FETCH, halts
+from pal.isa import BREAK, FETCH, halts
 from pdp8.computer.hardware.bus import Bus, Peripheral
-from pdp8.computer.hardware.core import SIZE, WORD, Core, allowed
+from pdp8.computer.hardware.core import WORD, Core, allowed
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.fields import Field, Part, Values, all_fields, put, take
 from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.hardware.panel import Panel
 from pdp8.computer.hardware.processor import Processor
-from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import INTERRUPT, NEVER, TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.speed.engine import Engine
 from pdp8.computer.speed.waiting import Waiting
@@ -49,7 +50,7 @@ _UNINTERRUPTED = 60 * TICKS_PER_SECOND
 
 
 class LoadError(WorkError):
-    """Words that lie outside 4K of core, or a tape that did not load."""
+    """Words that lie outside core, or a tape that did not load."""
 
 
 class Recorder(Protocol):
@@ -70,12 +71,13 @@ def _ticks(seconds: float) -> int:
 
 
 class Machine:
-    """A PDP-8/L with 4K of core and `devices`, as it is when it is switched on: core and registers 0.
+    """A PDP-8/L with `memory` words of core and `devices`, as it is switched on: core and registers 0.
 
     Without `devices` it has an ASR-33. They are fitted one behind the other, each in front of those before.
+    More than 4K comes with the memory extension MC8/L: 8K, or 32K as no PDP-8/L had it.
     """
 
-    def __init__(self, devices: Iterable[Peripheral] | None = None) -> None:
+    def __init__(self, devices: Iterable[Peripheral] | None = None, memory: int = FIELD) -> None:
         self.bus = Bus()
         self.devices: list[Peripheral] = []
         """What is fitted."""
@@ -84,7 +86,7 @@ class Machine:
         """These two belong to the machine where they are among its devices."""
         for device in [self.teletype] if devices is None else devices:
             self._connect(device)
-        self.processor = Processor(self.bus)
+        self.processor = Processor(self.bus, memory)
         self.waiting = Waiting(self.processor)
         self.engine = Engine(self.processor, self.waiting)
         self.core = Core(self.processor)
@@ -105,9 +107,9 @@ class Machine:
         stands = "running" if p.run else "stopped"
         return f"<Machine at {self.pc:04o}: L {self.link} AC {self.ac:04o}, {stands}, {self.elapsed:.6f} s>"
 
-    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[list[type[Peripheral]], Values]]:
+    def __reduce__(self) -> tuple[Callable[..., "Machine"], tuple[list[type[Peripheral]], int, Values]]:
         """Copy by the state: breakpoints, observers and `on_frame` stay with the original."""
-        return _copied, ([type(device) for device in self.devices], self.values())
+        return _copied, ([type(device) for device in self.devices], self.memory, self.values())
 
     def fit(self, device: Peripheral) -> None:
         """Fit one more device, in front of the others. Raises ValueError if its code is no code or taken."""
@@ -128,15 +130,16 @@ class Machine:
         self.processor.run = 0
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
-        """Put `words`, {address: word}, into core. Raises LoadError if an address or a word is not one of
-        0000 to 7777, and then loads nothing.
+        """Put `words`, {address: word}, into core. Raises LoadError for an address past its end and for a
+        word that is not one of 0000 to 7777, and then loads nothing.
         """
         if isinstance(words, str):
             raise LoadError("a name: load(pdp8.assemble(pdp8.tape(NAME))) loads a source")
         words = dict(words)
         for address, word in words.items():
-            if not 0 <= address < SIZE:
-                raise LoadError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
+            if not 0 <= address < self.memory:
+                size, last = self.memory // 1024, self.memory - 1
+                raise LoadError(f"address {address:05o}: a PDP-8/L with {size}K of core ends at {last:05o}")
             if not 0 <= word <= WORD:
                 raise LoadError(f"{address:04o}: {word:o} (octal) is no word; 0000 to 7777 are")
         for address, word in words.items():
@@ -150,6 +153,11 @@ class Machine:
         if address is not None:
             self.panel.load_address(address)
         self.panel.start()
+
+    @property
+    def memory(self) -> int:
+        """The words of core."""
+        return self.processor.extension.size
 
     def stop(self) -> None:
         """Press STOP: the instruction ends, and the run with it."""
@@ -193,7 +201,7 @@ class Machine:
         reason = self._continue(until, last, cycles) if goes else Reason.LIMIT
         if self.recorder is not None:
             self.recorder.ended(reason, cycles is not None)
-        return Stop(reason, p.pc, self.elapsed)
+        return Stop(reason, self.pc, self.elapsed)
 
     def _continue(self, until: int, last: int, cycles: int | None) -> Reason:
         """Press CONT; run to tick `until` or `last` instructions in all, or for so many `cycles`; return why
@@ -234,8 +242,9 @@ class Machine:
     def parts(self) -> list[tuple[str, Part]]:
         """Return what has a state, each with its path; parts within these are in their fields."""
         p, bus, waiting = self.processor, self.bus, self.waiting
+        extension: list[tuple[str, Part]] = [("extension", p.extension)] if self.memory > FIELD else []
         devices = [(f"devices {device.code:02o}", device) for device in bus]
-        return [("processor", p), ("bus", bus), ("waiting", waiting), *devices]
+        return [("processor", p), ("bus", bus), ("waiting", waiting), *extension, *devices]
 
     def fields(self) -> list[Field]:
         """Return the fields of all parts (see fields.py)."""
@@ -252,7 +261,7 @@ class Machine:
         """Set the machine to `values` of its own or of another with the same devices, all or some."""
         if "core" in values:
             words, core = array("H", values["core"]), self.processor.core
-            for address in range(SIZE if words != core else 0):
+            for address in range(self.memory if words != core else 0):
                 if words[address] != core[address]:
                     self.processor.deposit(address, words[address])
         put(self.fields(), values)
@@ -298,7 +307,7 @@ class Machine:
         watch, waiting = self.watch, self.waiting
         if not watch.again:
             self._check_watched()
-            if watch.writes or watch.reads or self.processor.pc in watch.breakpoints:
+            if watch.writes or watch.reads or self.pc in watch.breakpoints:
                 waiting.forget()
             if self._marks != waiting.marks or watch.observer is not self._observer:
                 waiting.forget()
@@ -313,10 +322,10 @@ class Machine:
             return
         for places in watched:
             for place in places:
-                allowed(place, "a breakpoint")
+                allowed(place, "a breakpoint", self.memory - 1)
         self._watched = watched
-        halves = [(address >> 6, address & 0o77) for address in sorted(watched[0])]
-        self._marks = bytes(frame for two in halves for frame in two)
+        parts = (6, 0) if self.memory == FIELD else (12, 6, 0)
+        self._marks = bytes(address >> part & 0o77 for address in sorted(watched[0]) for part in parts)
 
     def _run(self, until: int, last: int) -> Reason:
         """Let the engine run: breakpoints are all that is watched."""
@@ -328,7 +337,7 @@ class Machine:
                 return self.why_stopped()
             if p.clock >= until or p.instructions >= last:
                 return Reason.LIMIT
-            if p.pc in breakpoints:
+            if self.pc in breakpoints:
                 break
         return Reason.BREAKPOINT
 
@@ -338,7 +347,7 @@ class Machine:
         waiting.endless = False
         first = True
         while p.clock < until and p.instructions < last:
-            if p.pc in watch.breakpoints and not first:
+            if self.pc in watch.breakpoints and not first and p.state != BREAK:
                 return Reason.BREAKPOINT
             first = False
             watch.instruction(p)
@@ -400,22 +409,31 @@ class Machine:
 
     @property
     def pc(self) -> int:
-        """The program counter; setting it makes the next cycle a FETCH."""
-        return self.processor.pc
+        """The program counter, with the instruction field in front of it; setting it makes the next cycle a
+        FETCH.
+        """
+        return self.processor.extension.inst_field | self.processor.pc
 
     @pc.setter
     def pc(self, address: int) -> None:
-        self.processor.pc = allowed(address, "PC")
-        self.processor.next = FETCH
+        p = self.processor
+        allowed(address, "PC", self.memory - 1)
+        if p.next > INTERRUPT:
+            p.preset()
+        p.pc = address & 0o7777
+        p.next = FETCH
+        p.extension.inst_field = p.extension.inst_buffer = address & 0o70000
 
     @property
     def ma(self) -> int:
-        """The memory address of the last cycle."""
-        return self.processor.ma
+        """The memory address of the last cycle, with its field in front of it."""
+        return self.processor.extension.field | self.processor.ma
 
     @ma.setter
     def ma(self, address: int) -> None:
-        self.processor.ma = allowed(address, "MA")
+        allowed(address, "MA", self.memory - 1)
+        self.processor.ma = address & 0o7777
+        self.processor.extension.field = address & 0o70000
 
     @property
     def mb(self) -> int:
@@ -469,8 +487,8 @@ class Machine:
         return self.processor.instructions
 
 
-def _copied(devices: Iterable[type[Peripheral]], values: Values) -> Machine:
+def _copied(devices: Iterable[type[Peripheral]], memory: int, values: Values) -> Machine:
     """Return a machine with a device of each class, and with `values`."""
-    machine = Machine([made() for made in devices])
+    machine = Machine([made() for made in devices], memory)
     machine.put(values)
     return machine

@@ -6,7 +6,7 @@ every memory cycle and for every wait that was passed over.
 
 from typing import Protocol
 
-from pal.isa import AND, DCA, DEFER, EXECUTE, ISZ, JMS, TAD, autoindexed
+from pal.isa import AND, DCA, DEFER, EXECUTE, ISZ, JMS, TAD, WORD_COUNT, autoindexed
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import INTERRUPT
 
@@ -47,19 +47,19 @@ class Watch:
         return bool(self.writes or self.reads or self.observer)
 
     def instruction(self, processor: Processor) -> None:
-        """Run one instruction, or the cycle of an interrupt, and look at each of its cycles; SING STEP may be
-        thrown in one.
+        """Run one instruction, or the cycles of an interrupt or a break, and look at each of its cycles; SING
+        STEP may be thrown in one.
         """
         self.reached = False
         self.written.clear()
         self.read.clear()
         self.cycle(processor)
-        while processor.next in (DEFER, EXECUTE) and not processor.sing_step:
+        while processor.within() and not (processor.sing_step or processor.protect):
             self.cycle(processor)
 
     def called(self, processor: Processor) -> bool:
         """Tell whether the last cycle was that of a JMS to a breakpoint."""
-        return processor.state == EXECUTE and processor.ir == JMS and processor.ma in self.breakpoints
+        return processor.state == EXECUTE and processor.ir == JMS and _place(processor) in self.breakpoints
 
     def cycle(self, processor: Processor) -> None:
         """Run one memory cycle, and look at it."""
@@ -67,17 +67,24 @@ class Watch:
         processor.cycle()
         if wrote(processor):
             self.reached |= self.called(processor)
-            if processor.ma in self.writes:
-                self.written.add(processor.ma)
-        if processor.ma in self.reads and read(processor):
-            self.read.add(processor.ma)
+            if _place(processor) in self.writes:
+                self.written.add(_place(processor))
+        if _place(processor) in self.reads and read(processor):
+            self.read.add(_place(processor))
         self.reached |= bool(self.written or self.read)
         if self.observer:
             self.observer.cycle(processor, interrupt)
 
 
+def _place(processor: Processor) -> int:
+    """Return MA with the field in front of it."""
+    return processor.extension.field | processor.ma
+
+
 def wrote(processor: Processor) -> bool:
-    """Tell from the lamps whether the last cycle wrote the word at MA."""
+    """Tell whether the last cycle wrote the word at MA."""
+    if processor.state >= WORD_COUNT:
+        return processor.stored == 1
     if processor.state == EXECUTE:
         return processor.ir in (ISZ, DCA, JMS) and not processor.protect
     return processor.state == DEFER and autoindexed(processor.ma)
@@ -93,4 +100,5 @@ def read(processor: Processor) -> bool:
 def instruction_at(processor: Processor) -> int:
     """Return the address of the instruction that is under way, or of the one that comes."""
     within = processor.next in (DEFER, EXECUTE)  # its first cycle has counted PC on
-    return processor.pc - 1 & 0o7777 if within else processor.pc
+    address = processor.pc - 1 & 0o7777 if within else processor.pc
+    return processor.extension.inst_field | address

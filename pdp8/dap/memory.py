@@ -8,19 +8,16 @@ import base64
 import binascii
 import struct
 
-from pdp8.computer.hardware.core import SIZE
 from pdp8.computer.use.trace import instruction
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.places import BYTES, byte, place, reference
 from pdp8.dap.wire import Body
 from tapes.errors import WorkError
 
-_CORE = f">{SIZE}H"
-
 
 def read_memory(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the bytes that were asked for, or as many as there are."""
-    content = struct.pack(_CORE, *debuggee.monitor.machine.core)
+    content = _bytes(debuggee)
     begin = min(max(_first(arguments), 0), len(content))
     count = max(arguments["count"], 0)
     found = content[begin : begin + count]
@@ -38,16 +35,21 @@ def write_memory(debuggee: Debuggee, arguments: Body) -> Body:
     except binascii.Error as error:
         raise WorkError(f"the bytes to write are not in base64: {error}") from error
     core = debuggee.monitor.machine.core
-    content, start = bytearray(struct.pack(_CORE, *core)), _first(arguments)
+    content, start = bytearray(_bytes(debuggee)), _first(arguments)
     if not 0 <= start <= len(content) - len(given):
         raise WorkError(f"bytes {start:x} to {start + len(given):x}: core has 0 to {len(content):x}")
     content[start : start + len(given)] = given
-    words = struct.unpack(_CORE, content)
+    words = struct.unpack(f">{len(core)}H", content)
     for address, word in enumerate(words):
         if word > 0o7777:
             raise WorkError(f"{word:o} into {address:04o}: a word is 0000 to 7777")
     core[:] = words
     return {"bytesWritten": len(given)}
+
+
+def _bytes(debuggee: Debuggee) -> bytes:
+    core = debuggee.monitor.machine.core
+    return struct.pack(f">{len(core)}H", *core)
 
 
 def _first(arguments: Body) -> int:
@@ -57,13 +59,13 @@ def _first(arguments: Body) -> int:
 def disassemble(debuggee: Debuggee, arguments: Body) -> Body:
     start = place(arguments["memoryReference"], arguments.get("offset") or 0)
     start += arguments.get("instructionOffset") or 0
-    addresses = range(start, start + min(arguments["instructionCount"], SIZE))
+    addresses = range(start, start + min(arguments["instructionCount"], len(debuggee.monitor.machine.core)))
     return {"instructions": [_disassembled(debuggee, address) for address in addresses]}
 
 
 def _disassembled(debuggee: Debuggee, address: int) -> Body:
     """Return the DisassembledInstruction at `address`; one outside core is invalid."""
-    if not 0 <= address < SIZE:
+    if not 0 <= address < len(debuggee.monitor.machine.core):
         return {"address": str(BYTES * address), "instruction": "", "presentationHint": "invalid"}
     word, listing = debuggee.monitor.machine.core[address], debuggee.monitor.listing
     text = f"{address:04o}  {instruction(address, word)}"

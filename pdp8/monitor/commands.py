@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8 import shelf
-from pdp8.monitor import hands, keystrokes, past, running, simh, tapes
+from pdp8.monitor import hands, keystrokes, past, rack, running, simh, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError, called
@@ -96,7 +96,7 @@ COMMANDS = {
         Command("set", "NAME WORD", simh.set_, f"one of {hands.NAMES} and a word"),
         Command("registers", "", hands.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
-        Command("boot", "PROGRAM [force]", tapes.boot, "the name of a program"),
+        Command("boot", "PROGRAM [force]", rack.boot, "the name of a program"),
         Command("listing", "PROGRAM", tapes.listing, "the name of a program"),
         Command("rim", "", tapes.rim),
         Command("key", "KEY ...", hands.key, f"one or more of the keys {' '.join(hands.KEYS)}"),

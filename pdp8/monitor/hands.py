@@ -1,21 +1,25 @@
 """Commands that look at the machine and change it: words, registers, switches, keys, breakpoints, steps."""
 
+import json
 from collections.abc import Sequence
 from itertools import cycle as cycle_of
 
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
-from pdp8.computer.hardware.core import SIZE
+from pdp8.computer.hardware.extension import FIELD, MEMORY
+from pdp8.computer.past import state
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Watch
 from pdp8.monitor.arguments import MonitorError, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
-REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o7777, "ma": 0o7777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
+REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o77777, "ma": 0o77777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
 """Each register with its greatest value."""
 SWITCHES = ("mem_prot", "sing_step")
-NAMES = " ".join((*REGISTERS, *SWITCHES, "hands"))
+FIELDS = ("inst_field", "data_field")
+"""The panel's switches for fields."""
+NAMES = " ".join((*REGISTERS, *SWITCHES, *FIELDS, "hands"))
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
 _LACKS = {
@@ -39,7 +43,7 @@ def _examine(monitor: Monitor, place: str) -> None:
     elif place.lower() == "state":
         registers(monitor)
     elif place.lower() == "all":
-        for address in range(SIZE):
+        for address in range(monitor.machine.memory):
             if core[address]:
                 monitor.say(monitor.listing.line(address, core[address]))
         monitor.say("all other words are 0000")
@@ -62,26 +66,47 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
     if len(addresses) == 1:
         addresses = range(addresses.start, addresses.start + len(words))
-    if addresses.stop > 0o10000:
-        raise MonitorError(f"{place}: {len(words)} words go beyond 7777")
+    if addresses.stop > monitor.machine.memory:
+        raise MonitorError(f"{place}: {len(words)} words go beyond {monitor.machine.memory - 1:o}")
     for address, each in zip(addresses, cycle_of(words), strict=False):
         monitor.machine.core[address] = each
 
 
 def set_(monitor: Monitor, name: str, value: str) -> None:
-    """Set a register, a switch (0 or 1), or the seconds that a key of the panel takes (hands)."""
+    """Set a register, a switch (0 or 1), the seconds that a key takes (hands), the core (cpu 4k, 8k, 32k)."""
     name = register(name)
     if name in REGISTERS:
         word = monitor.address(value)
-        setattr(monitor.machine, name, octal(f"{word:o}", REGISTERS[name]))
+        most = min(REGISTERS[name], monitor.machine.memory - 1)
+        setattr(monitor.machine, name, octal(f"{word:o}", most))
     elif name in SWITCHES:
         if value.lower() not in _POSITIONS:
             raise MonitorError(f"{value}: {name} is 0 or 1, off or on")
         setattr(monitor.machine.panel, name, _POSITIONS[value.lower()])
+    elif name in FIELDS:
+        setattr(monitor.machine.panel, name, octal(value, (monitor.machine.memory >> 12) - 1))
     elif name == "hands":
         monitor.operator.pace = monitor.operator.pace._replace(pressing=seconds(value))
     else:
         raise MonitorError(f"{name}: no register or switch; there are {NAMES}")
+
+
+def set_core(monitor: Monitor, size: str) -> None:
+    """Let the machine have other core; what is in core and in the devices stays."""
+    memory = MEMORY.get(size.lower())
+    if memory is None:
+        raise MonitorError(f"{size}: {', '.join(MEMORY)} are the sizes of core")
+    if memory == monitor.machine.memory:
+        return
+    if any(monitor.machine.core[min(memory, monitor.machine.memory) :]):
+        raise MonitorError(f"{size}: there are words beyond {memory - 1:o}")
+    if memory == MEMORY["32k"]:
+        monitor.say("no PDP-8/L had 32K, nor three bits of field")
+    saved = json.loads(state.save(monitor.machine))
+    saved["memory"] = memory
+    if memory == FIELD:
+        saved.pop("extension", None)
+    monitor.turn_to(json.dumps(saved))
 
 
 def register(name: str) -> str:
@@ -98,9 +123,14 @@ def registers(monitor: Monitor) -> None:
     """Say the lamps, the PC and the time."""
     m, lamps = monitor.machine, monitor.machine.panel.lamps
     lit = [name for name in ("ion", "protect", "run") if getattr(lamps, name)]
+    fields = ""
+    if m.memory > FIELD:
+        e = m.processor.extension
+        fields = f"  IF {e.inst_field >> 12} DF {e.data_field >> 12} EMA {m.panel.ema}"
     monitor.say(
         f"PC {m.pc:04o}  L {lamps.link}  AC {lamps.ac:04o}  MA {lamps.ma:04o}  MB {lamps.mb:04o}  "
         f"IR {lamps.ir} {STATES[m.processor.state]:7}  SR {m.sr:04o}  {m.elapsed * 1000:.5f} ms"
+        + fields
         + "".join(f"  {name.upper()}" for name in lit)
     )
 

@@ -8,7 +8,9 @@ may be shortened as long as it stays one of them, as DEC's were: e for examine, 
 import re
 from collections.abc import Callable
 
+from pdp8 import fitting
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use import ending
@@ -16,6 +18,7 @@ from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.arguments import MonitorError, octal
+from pdp8.reels import Reels
 
 _ENDED = {Reason.TAPE_OUT: "waits for a tape"}
 _RANGE = re.compile(r"\d+-\d+")
@@ -50,11 +53,14 @@ class Monitor:
         """What is done once the machine runs."""
         self.waiting_tapes: list[str] = []
         """The names of the tapes that go into the reader as it runs out."""
+        self.reels = Reels()
+        """The DECtapes on the drives, with the files they came from."""
         self.attend(machine or Machine())
 
     def attend(self, machine: Machine) -> None:
         """Turn to `machine`."""
         self.machine = machine
+        self.reels.look_at(machine)
         self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
@@ -64,6 +70,13 @@ class Monitor:
         """
         self.shown = 0
         """How many frames of it `page` has shown."""
+
+    def turn_to(self, text: str) -> None:
+        """Turn to the machine whose state `text` is; devices, reels, breakpoints and pace stay."""
+        watch, pace = self.machine.watch, self.operator.pace
+        fitted = [type(device)() for device in self.machine.devices]
+        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known()))
+        self.machine.watch, self.operator.pace = watch, pace
 
     def say_where(self, why: str) -> None:
         """Say where the machine stands now, `why`, and at what time."""
@@ -99,8 +112,8 @@ class Monitor:
             if offset[1:].upper()[:6] in self.listing.symbols:
                 raise MonitorError(f"{text}: a range? write A:B; after + and - stand octal numbers")
             address += octal(offset[1:]) * (1 if offset[0] == "+" else -1)
-        if not 0 <= address <= 0o7777:
-            raise MonitorError(f"{text}: not between 0000 and 7777")
+        if not 0 <= address < self.machine.memory:
+            raise MonitorError(f"{text}: not between 0000 and {self.machine.memory - 1:o}")
         return address
 
     def _named(self, name: str) -> int:
@@ -110,7 +123,7 @@ class Monitor:
         if not name.isdecimal():
             advice = "" if self.listing.symbols else "; a tape brings none, `listing SOURCE` does"
             raise MonitorError(f"{name}: neither an octal number nor a symbol{advice}")
-        return octal(name)
+        return octal(name, self.machine.memory - 1)
 
     def range(self, text: str) -> range:
         """Return the addresses of A, of A:B, of A-B where both are numbers, or of N words from A on, A/N."""

@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from functools import partial
 
 from pdp8 import shelf
-from pdp8.monitor import hands, tapes
+from pdp8.computer.hardware.extension import MEMORY
+from pdp8.monitor import hands, rack, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
@@ -24,7 +25,6 @@ _ABSENT = {
     "rf": "an RF08 disk",
     "df": "a DF32 disk",
     "rx": "an RX8 floppy",
-    "dt": "a TC08 DECtape",
     "td": "a TD8E DECtape",
     "mt": "a magnetic tape",
     "ct": "a cassette",
@@ -55,6 +55,9 @@ def _device(name: str) -> str:
 
 def attach(monitor: Monitor, device: str, *names: str) -> None:
     """Put a tape into the reader (ptr), or name the file for what is punched (ptp)."""
+    if "dt" in [each[:2].lower() for each in (device, *names)[:2]]:
+        rack.attach(monitor, device, *names)
+        return
     *switches, name = some((device, *names), "ptr or ptp, and the name of a file", 2)
     kind = _device(switches[-1])
     if kind in ("ptr", "tti"):
@@ -66,8 +69,11 @@ def attach(monitor: Monitor, device: str, *names: str) -> None:
         monitor.punching[kind] = name
 
 
-def detach(monitor: Monitor, device: str) -> None:
+def detach(monitor: Monitor, device: str, where: str = "") -> None:
     """Take the tape out of the reader (ptr), or off the punch into its file (ptp)."""
+    if device[:2].lower() == "dt":
+        rack.detach(monitor, device, where)
+        return
     kind = _device(device)
     if kind in ("ptr", "tti"):
         fast = kind == "ptr" and monitor.machine.highspeed.fitted
@@ -109,7 +115,9 @@ def reset(monitor: Monitor, *devices: str) -> None:
 def show(monitor: Monitor, *what: str) -> None:
     """Say what is fitted."""
     fast = ", PC8/L reader and punch" if monitor.machine.highspeed.fitted else ""
-    monitor.say(f"PDP-8/L, 4K of core, ASR-33 Teletype{fast}; no EAE")
+    size = f"{monitor.machine.memory // 1024}K"
+    monitor.say(f"PDP-8/L, {size} of core, ASR-33 Teletype{fast}; no EAE")
+    rack.show(monitor)
 
 
 def passed_over(monitor: Monitor, *words: str) -> None:
@@ -130,8 +138,12 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     if name in ("throttle", "nothrottle"):
         monitor.realtime = name == "throttle"
     elif name == "cpu":
-        if value not in ("4k", "idle", "noidle", "noeae", ""):
-            raise MonitorError(f"{value}: this machine has 4K of core and no EAE; idle is always so")
+        if value in MEMORY:
+            hands.set_core(monitor, value)
+        elif value not in ("idle", "noidle", "noeae", ""):
+            raise MonitorError(
+                f"{value}: {', '.join(MEMORY)} are the sizes of core; no EAE, and idle is always so"
+            )
     elif absent(name):
         if value != "disabled":
             raise MonitorError(f"{name}: {absent(name)}, which this machine has not")

@@ -164,9 +164,6 @@ def save(monitor: Monitor, name: str) -> None:
 
 def restore(monitor: Monitor, name: str) -> None:
     """Read the machine's state from a file; the listing stays."""
-    watch, pace = monitor.machine.watch, monitor.operator.pace
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
-        restored = state.restore(text, [type(device)() for device in monitor.machine.devices])
-    monitor.attend(restored)
-    monitor.machine.watch, monitor.operator.pace = watch, pace
+        monitor.turn_to(text)

@@ -110,6 +110,7 @@ void devices(struct pdp8l *m, tick now)
         frame_fetched(m);
     if (m->fast_punch.at <= now)
         frame_punched(m);
+    breakers_until(m, now);
 }
 
 static tick earlier(tick a, tick b) { return a < b ? a : b; }
@@ -121,7 +122,8 @@ tick pdp8l_next(const struct pdp8l *m)
 
 int request(const struct pdp8l *m)
 {
-    return m->teletype.receiver.flag || m->teletype.transmitter.flag || m->fast_reader.flag || m->fast_punch.flag;
+    return m->teletype.receiver.flag || m->teletype.transmitter.flag || m->fast_reader.flag || m->fast_punch.flag ||
+           breakers_request(m);
 }
 
 void initialize_devices(struct pdp8l *m)

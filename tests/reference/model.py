@@ -9,10 +9,12 @@ from pathlib import Path
 from tests.reference.compiling import compiled, numbers
 
 FOLDER = Path(__file__).parent
-SOURCES = [FOLDER / name for name in ("processor.c", "panel.c", "devices.c", "teletype_gates.c")]
+SOURCES = [FOLDER / name for name in ("processor.c", "panel.c", "devices.c", "breaks.c", "teletype_gates.c")]
 HEADERS = [FOLDER / name for name in ("pdp8l.h", "parts.h", "teletype_gates.h")]
 
 QUEUE = 4096
+CORE = 1 << 15
+"""The words of the largest core."""
 
 NEVER = (1 << 63) - 1
 KEYS = ("load_add", "start", "cont", "stop", "exam", "dep")
@@ -86,12 +88,20 @@ class _FastPunch(Structure):
     _fields_ = [("at", c_int64), *numbers(c_int32, "flag buffer ahead")]
 
 
+class _Breaker(Structure):
+    _fields_ = [
+        *numbers(c_int64, "at asked"),
+        *numbers(c_int32, "flag breaking three_cycle into_core counts_address increments"),
+        *numbers(c_int32, "field address period word left"),
+    ]
+
+
 class Counts(Structure):
     """What was done in runs."""
 
     _fields_ = [
-        ("executed", c_int32 * 4096),
-        ("written", c_int32 * 4096),
+        ("executed", c_int32 * CORE),
+        ("written", c_int32 * CORE),
         *numbers(c_int32, "interrupts cycles"),
         ("ticks", c_int64),
     ]
@@ -105,9 +115,12 @@ class Reference(Structure):
     """The state of the reference, as pdp8l.h has it."""
 
     _fields_ = [
-        ("core", c_uint16 * 4096),
+        ("core", c_uint16 * CORE),
+        *numbers(c_int32, "size inst_field data_field inst_buffer saved_inst saved_data inhibit"),
+        *numbers(c_int32, "inst_switch data_switch field ema breakers"),
+        ("breaker", _Breaker * 2),
         *numbers(c_int32, "ac link pc ma mb ir sr state next"),
-        *numbers(c_int32, "run ion ion_ready mem_prot sing_step protect fast"),
+        *numbers(c_int32, "run ion ion_ready mem_prot sing_step protect stored fast"),
         *numbers(c_int64, "now instructions"),
         ("teletype", _Gates),
         ("printed", c_int32),
@@ -143,7 +156,7 @@ class Reference(Structure):
         self, until: int, last: int, breakpoints: Iterable[int] = (), writes: Iterable[int] = ()
     ) -> str:
         """Run to tick `until` or `last` instructions in all; return which of the REASONS ended it."""
-        marks = bytearray(4096)
+        marks = bytearray(CORE)
         for address in breakpoints:
             marks[address] |= 1
         for address in writes:

@@ -14,8 +14,10 @@
 
 void preset(struct pdp8l *m)
 {
+    abandon_break(m);
     m->state = NONE;
     m->next = FETCH;
+    m->ema = m->inst_field;
 }
 
 /* The memory cycle of a key: the word at PC. */
@@ -23,7 +25,8 @@ static void look(struct pdp8l *m)
 {
     m->protect = 0;
     m->ma = m->pc;
-    m->mb = m->core[m->ma];
+    m->field = m->ema = m->inst_field;
+    m->mb = m->core[m->field | m->ma];
 }
 
 static void advance(struct pdp8l *m) { m->pc = (m->pc + 1) & 07777; }
@@ -60,6 +63,7 @@ void pdp8l_key(struct pdp8l *m, int key)
     switch (key) {
     case LOAD_ADD:
         m->pc = m->sr;
+        load_address(m);
         look(m);
         break;
     case EXAM:
@@ -68,8 +72,8 @@ void pdp8l_key(struct pdp8l *m, int key)
         break;
     case DEP:
         look(m);
-        if (m->mem_prot && m->ma >= 07600) m->protect = 1;
-        else m->mb = m->core[m->ma] = m->sr;
+        if (m->mem_prot && m->ma >= 07600 && m->field == 0) m->protect = 1;
+        else m->mb = m->core[m->field | m->ma] = m->sr;
         advance(m);
         break;
     case START:
@@ -86,4 +90,12 @@ void pdp8l_sing_step(struct pdp8l *m, int down)
 {
     m->sing_step = down;
     if (down) m->run = 0;
+}
+
+void pdp8l_set_pc(struct pdp8l *m, int address)
+{
+    if (m->next > INTERRUPT) preset(m);
+    m->pc = address & 07777;
+    m->next = FETCH;
+    m->inst_field = m->inst_buffer = m->ema = address & 070000;
 }

@@ -20,6 +20,20 @@ void counted_cycle(struct pdp8l *m);
 void devices(struct pdp8l *m, tick now);
 
 int request(const struct pdp8l *m);
+
+/* Data breaks and the memory extension (breaks.c). */
+void breakers_initialize(struct pdp8l *m);
+void breakers_until(struct pdp8l *m, tick now);
+int breakers_request(const struct pdp8l *m);
+int breakers_still(const struct pdp8l *m);
+void breaker_iot(struct pdp8l *m, int which, int word, tick began);
+void accept_break(struct pdp8l *m, tick tp1);
+void abandon_break(struct pdp8l *m);
+void break_cycle(struct pdp8l *m);
+void extension_iot(struct pdp8l *m, int word);
+void load_address(struct pdp8l *m);
+
+void write_core(struct pdp8l *m, int word);
 int still(const struct pdp8l *m);
 void skip(struct pdp8l *m);
 

@@ -9,9 +9,10 @@
 
 typedef int64_t tick; /* 0.05 us */
 
-enum { FETCH, DEFER, EXECUTE, INTERRUPT, NONE };
+enum { FETCH, DEFER, EXECUTE, INTERRUPT, WORD_COUNT, CURRENT_ADDRESS, BREAK, NONE };
 enum { LOAD_ADD, START, CONT, STOP, EXAM, DEP };
 enum { LIMIT, STOPPED, BREAKPOINT };
+enum { FIELD = 4096, CORE = 8 * FIELD, BREAKERS = 2 };
 enum { TAPE_FRAMES = 4096, PAPER_FRAMES = 1 << 16 };
 
 struct reader {
@@ -38,17 +39,30 @@ struct fast_punch { /* 02 */
     int32_t ahead;
 };
 
+/* A device with a data break, under code 70 + its place; the later ones are nearer on the cable (breaks.c). */
+struct breaker {
+    tick at, asked; /* BRK RQ rose at `asked` */
+    int32_t flag, breaking, three_cycle, into_core, counts_address, increments;
+    int32_t field, address, period, word, left;
+};
+
 /* What was done in runs since these are all 0. */
 struct counts {
-    int32_t executed[4096], written[4096], interrupts, cycles;
+    int32_t executed[CORE], written[CORE], interrupts, cycles;
     tick ticks;
 };
 
 struct pdp8l {
-    uint16_t core[4096];
+    uint16_t core[CORE];
+    int32_t size; /* words of core; more than a field come with an MC8/L */
+    int32_t inst_field, data_field, inst_buffer, saved_inst, saved_data, inhibit; /* IF DF IB SF: first addresses */
+    int32_t inst_switch, data_switch;
+    int32_t field, ema; /* of the last cycle, and of the next */
+    int32_t breakers;   /* they are fitted */
+    struct breaker breaker[BREAKERS];
     int32_t ac, link, pc, ma, mb, ir, sr;
     int32_t state, next; /* the major state of the last cycle, and of the next */
-    int32_t run, ion, ion_ready, mem_prot, sing_step, protect;
+    int32_t run, ion, ion_ready, mem_prot, sing_step, protect, stored;
     int32_t fast; /* the PC8/L is fitted */
     tick now, instructions;
     struct gates teletype;
@@ -63,6 +77,9 @@ struct pdp8l {
 
 /* The machine as it is switched on; `fast` fits the PC8/L. */
 void pdp8l_power_up(struct pdp8l *m, int fast);
+
+/* Fit so much core, and the breakers. */
+void pdp8l_rack(struct pdp8l *m, int size, int breakers);
 
 /* One memory cycle; one instruction, or the cycle of an interrupt. */
 void pdp8l_cycle(struct pdp8l *m);
@@ -80,6 +97,7 @@ int pdp8l_run_cycles(struct pdp8l *m, int count);
 
 /* Keys and the rest of what an operator does (panel.c). SR and MEM PROT are set in the structure. */
 void pdp8l_key(struct pdp8l *m, int key);
+void pdp8l_set_pc(struct pdp8l *m, int address);
 void pdp8l_sing_step(struct pdp8l *m, int down);
 void pdp8l_type(struct pdp8l *m, const uint8_t *frames, int count);
 void pdp8l_tape(struct pdp8l *m, int fast, const uint8_t *frames, int count);

@@ -17,13 +17,14 @@
 
 void skip(struct pdp8l *m) { m->pc = (m->pc + 1) & 07777; }
 
-static void write(struct pdp8l *m, int word)
+void write_core(struct pdp8l *m, int word)
 {
-    if (m->mem_prot && m->ma >= 07600) {
+    if (m->mem_prot && m->ma >= 07600 && m->field == 0) {
         m->protect = 1;
         m->run = 0;
     } else {
-        m->mb = m->core[m->ma] = word & 07777;
+        m->mb = m->core[m->field | m->ma] = word & 07777;
+        m->stored = 1;
     }
 }
 
@@ -82,6 +83,10 @@ static void input_output(struct pdp8l *m, int word)
     case 01: if (m->fast) fast_reader_iot(m, word, began); break;
     case 02: if (m->fast) fast_punch_iot(m, word, began); break;
     case 03: case 04: teletype_iot(m, word, began); break;
+    case 020: case 021: case 022: case 023: case 024: case 025: case 026: case 027:
+        if (m->size > FIELD) extension_iot(m, word);
+        break;
+    case 070: case 071: if (m->breakers) breaker_iot(m, word >> 3 & 1, word, began); break;
     }
 }
 
@@ -89,7 +94,8 @@ static void fetch(struct pdp8l *m)
 {
     m->state = FETCH;
     m->ma = m->pc;
-    m->mb = m->core[m->ma];
+    m->field = m->inst_field;
+    m->mb = m->core[m->field | m->ma];
     m->ir = m->mb >> 9;
     m->pc = (m->pc + 1) & 07777;
     m->instructions++;
@@ -115,8 +121,9 @@ static void defer(struct pdp8l *m)
     m->state = DEFER;
     m->now += CYCLE;
     m->ma = address(m);
-    m->mb = m->core[m->ma];
-    if (m->ma >= 010 && m->ma <= 017) write(m, m->mb + 1);
+    m->field = m->inst_field;
+    m->mb = m->core[m->field | m->ma];
+    if (m->ma >= 010 && m->ma <= 017) write_core(m, m->mb + 1);
     m->next = EXECUTE;
     if (m->ir == 5) {
         m->pc = m->mb;
@@ -127,8 +134,9 @@ static void defer(struct pdp8l *m)
 static void execute(struct pdp8l *m)
 {
     int sum;
+    m->field = m->state == DEFER && m->ir < 4 ? m->data_field : m->inst_field;
     m->ma = m->state == DEFER ? m->mb : address(m);
-    m->mb = m->core[m->ma];
+    m->mb = m->core[m->field | m->ma];
     m->state = EXECUTE;
     m->next = FETCH;
     m->now += CYCLE;
@@ -142,15 +150,15 @@ static void execute(struct pdp8l *m)
         m->link ^= sum >> 12;
         break;
     case 2:
-        write(m, m->mb + 1);
+        write_core(m, m->mb + 1);
         if (m->mb == 0) skip(m);
         break;
     case 3:
-        write(m, m->ac);
+        write_core(m, m->ac);
         m->ac = 0;
         break;
     case 4:
-        write(m, m->pc);
+        write_core(m, m->pc);
         m->pc = (m->ma + 1) & 07777;
         break;
     }
@@ -162,42 +170,74 @@ static void interrupt(struct pdp8l *m)
     m->next = FETCH;
     m->now += CYCLE;
     m->ir = 4;
-    m->ma = 0;
-    write(m, m->pc);
+    m->ma = m->field = 0;
+    m->saved_inst = m->inst_field;
+    m->saved_data = m->data_field;
+    m->inst_field = m->data_field = m->inst_buffer = 0;
+    write_core(m, m->pc);
     m->pc = 1;
     m->ion = m->ion_ready = 0;
 }
 
+/* LOAD IF, at the end of the cycle before the first one in the new field. */
+static void load_if(struct pdp8l *m)
+{
+    if (m->ir == 4 && m->next != EXECUTE) return;
+    if (m->ir == 5 && m->next != FETCH) return;
+    m->inst_field = m->inst_buffer;
+    m->inhibit = 0;
+}
+
+static void end(struct pdp8l *m, tick began)
+{
+    if (m->next != FETCH || !(m->ion || m->breakers)) return;
+    if (m->ion) devices(m, m->now); /* looked at in the same TP3 in which HLT, STOP or SING STEP takes RUN away */
+    if (m->ion && m->ion_ready && !m->inhibit && request(m)) m->next = INTERRUPT;
+    else accept_break(m, began + 10);
+    if (m->ion && m->next <= INTERRUPT) m->ion_ready = 1; /* a break is no instruction */
+}
+
+static int next_field(const struct pdp8l *m)
+{
+    switch (m->next) {
+    case EXECUTE: if (m->state == DEFER && m->ir < 4) return m->data_field; /* fall through */
+    case FETCH: case DEFER: return m->inst_field;
+    case BREAK: return m->breaker[m->breaker[1].breaking].field & (m->size - 1);
+    default: return 0;
+    }
+}
+
 void pdp8l_cycle(struct pdp8l *m)
 {
-    m->protect = 0;
+    tick began = m->now;
+    m->protect = m->stored = 0;
     switch (m->next) {
     case FETCH: fetch(m); break;
     case DEFER: defer(m); break;
     case EXECUTE: execute(m); break;
     case INTERRUPT: interrupt(m); break;
+    default: break_cycle(m); break;
     }
-    if (m->ion && m->next == FETCH) { /* looked at in the same TP3 in which HLT, STOP or SING STEP takes RUN away */
-        devices(m, m->now);
-        if (m->ion_ready && request(m)) m->next = INTERRUPT;
-        m->ion_ready = 1;
-    }
+    if (m->state <= DEFER && (m->ir == 4 || m->ir == 5)) load_if(m);
+    end(m, began);
+    m->ema = next_field(m);
     if (m->sing_step) m->run = 0;
 }
 
-int within(const struct pdp8l *m) { return m->next == DEFER || m->next == EXECUTE; }
+int within(const struct pdp8l *m)
+{
+    return m->next == DEFER || m->next == EXECUTE || m->state == WORD_COUNT || m->state == CURRENT_ADDRESS;
+}
 
 void pdp8l_step(struct pdp8l *m)
 {
     do pdp8l_cycle(m);
-    while (within(m));
+    while (within(m) && !m->protect);
 }
 
-static int wrote(const struct pdp8l *m)
-{
-    if (m->state == DEFER) return m->ma >= 010 && m->ma <= 017;
-    return m->state == EXECUTE && m->ir >= 2 && m->ir <= 4 && !m->protect;
-}
+static int wrote(const struct pdp8l *m) { return m->stored; }
+
+static int place(const struct pdp8l *m) { return m->field | m->ma; }
 
 void counted_cycle(struct pdp8l *m)
 {
@@ -206,8 +246,8 @@ void counted_cycle(struct pdp8l *m)
     int interrupts = m->next == INTERRUPT;
     pdp8l_cycle(m);
     if (!counts) return;
-    counts->executed[m->ma] += m->state == FETCH;
-    counts->written[m->ma] += wrote(m);
+    counts->executed[place(m)] += m->state == FETCH;
+    counts->written[place(m)] += wrote(m);
     counts->interrupts += interrupts;
     counts->cycles++;
     counts->ticks += m->now - began;
@@ -218,8 +258,8 @@ static int marked(struct pdp8l *m, const uint8_t *marks)
     int reached = 0;
     do {
         counted_cycle(m);
-        if (wrote(m)) reached |= marks[m->ma] & 2 || (m->state == EXECUTE && m->ir == 4 && marks[m->ma] & 1);
-    } while (within(m));
+        if (wrote(m)) reached |= marks[place(m)] & 2 || (m->state == EXECUTE && m->ir == 4 && marks[place(m)] & 1);
+    } while (within(m) && !m->protect);
     return reached;
 }
 
@@ -231,7 +271,7 @@ int pdp8l_run(struct pdp8l *m, tick until, tick last, const uint8_t *marks)
     m->run = 1;
     while (reason == LIMIT && m->now < until && m->instructions < last) {
         int reached = 0;
-        if (!first && marks && marks[m->pc] & 1) {
+        if (!first && m->state != BREAK && marks && marks[m->inst_field | m->pc] & 1) {
             reason = BREAKPOINT;
             break;
         }
@@ -259,7 +299,7 @@ int pdp8l_endless(const struct pdp8l *m)
 {
     struct pdp8l turn = *m;
     int steps;
-    if (!still(m) || m->fast_reader.at != NEVER || m->fast_punch.at != NEVER) return 0;
+    if (!breakers_still(m) || !still(m) || m->fast_reader.at != NEVER || m->fast_punch.at != NEVER) return 0;
     for (steps = 0; steps < 20000; steps++) {
         pdp8l_step(&turn);
         if (turn.pc == m->pc && turn.ac == m->ac) {
@@ -276,8 +316,9 @@ int pdp8l_endless(const struct pdp8l *m)
 
 void initialize(struct pdp8l *m)
 {
-    m->ac = m->link = m->ion = m->ion_ready = 0;
+    m->ac = m->link = m->ion = m->ion_ready = m->inhibit = 0;
     preset(m);
+    breakers_initialize(m);
     initialize_devices(m);
 }
 
@@ -285,6 +326,7 @@ void pdp8l_power_up(struct pdp8l *m, int fast)
 {
     memset(m, 0, sizeof *m);
     m->fast = fast;
+    m->size = FIELD;
     gates_power_up(&m->teletype);
     m->teletype.sender.lever = m->fast_tape.lever = m->punch_on = m->fast_punch_on = 1;
     m->fast_punch.at = NEVER;

@@ -8,7 +8,7 @@ cdef int SKIP, CLEAR_AC, IOP1, IOP2, IOP4
 
 
 cdef class Device:
-    cdef public int code, flag, tested
+    cdef public int code, flag, tested, enabled
     cdef public Device behind
     cdef public int64_t due
 
@@ -21,9 +21,20 @@ cdef class Device:
     cpdef bint out_of_tape(self) except -1
 
 
+cdef class BreakDevice(Device):
+    cdef public int64_t asked
+    cdef public int breaking, address, field, three_cycle, counts_address, into_core, increments
+
+    cpdef accepted(self, int64_t now)
+    cpdef overflow(self, int64_t now)
+    cpdef int give(self, int64_t now) except? -1
+    cpdef take(self, int word, int64_t now)
+
+
 @cython.final
 cdef class Bus:
     cdef public Device first
+    cdef public bint has_breaks
     cdef public int64_t actions
 
     @cython.locals(device=Device)
@@ -34,6 +45,10 @@ cdef class Bus:
     cpdef void forget_tests(self) noexcept
     @cython.locals(device=Device)
     cpdef bint request(self, int64_t now) except -1
+    @cython.locals(device=Device, asking=BreakDevice)
+    cpdef BreakDevice accept_break(self, int64_t tp1, int64_t now)
+    @cython.locals(device=Device, asking=BreakDevice)
+    cpdef BreakDevice in_break(self)
     @cython.locals(device=Device, event=int64_t)
     cpdef int64_t next_event(self, int64_t now) except? -1
 

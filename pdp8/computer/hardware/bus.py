@@ -6,13 +6,17 @@
                       SKIP, clear AC, data or-ed into AC; interrupt request
 
 A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
-itself. Its flag is its interrupt request: an 8/L has no masks. Between pulses a device knows the tick at
-which its flag changes next; it is brought up to date when its state is needed.
+itself. Its flag is its interrupt request, unless the device itself disables it. Between pulses a device knows
+the tick at which its flag changes next; it is brought up to date when its state is needed.
+
+A BreakDevice moves words to and from core by data break, between two instructions:
+
+    BRK RQ ──► up at TP1 of a last cycle? ──► address accepted ──► WORD COUNT, CURRENT ADDRESS, BREAK
+                                                                   or BREAK alone
 
 A new device is a class derived from Device, in a file of its own: it says in `fields` what a saved state
 holds of it, and Machine.fit connects it (docs/pdp8.md has one as an example).
 
-Not emulated: data break (three-cycle or single-cycle).
 Source: Small Computer Handbook 1970, chapter 9 (I/O bus).
 """
 
@@ -53,6 +57,8 @@ class Device:
         self.tested = 0
         """Set by IOP1, until the bus forgets the tests."""
         self.due = NEVER
+        self.enabled = 1
+        """Whether the flag requests an interrupt."""
 
     def connect(self, bus: "Bus") -> None:
         """Connect the device to the bus, under its CODE."""
@@ -89,6 +95,49 @@ class Device:
         return False
 
 
+class BreakDevice(Device):
+    """A device with a data break. It requests one by setting `asked`, and lets `due` be that tick until the
+    request is accepted.
+    """
+
+    THREE_CYCLE = True
+    """Whether word count and current address are in core."""
+    ADDRESS = 0
+    """The address of the word count, which that of the current address follows."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.asked = NEVER
+        """The tick at which BRK RQ rose; NEVER while it is down."""
+        self.breaking = 0
+        """Set from the request's acceptance to the end of the BREAK cycle."""
+        self.address = self.ADDRESS
+        """Where the first cycle goes."""
+        self.field = 0
+        """The field of the BREAK cycle, as the address of its first word."""
+        self.three_cycle = 1 if self.THREE_CYCLE else 0
+        self.counts_address = 1
+        """Whether CURRENT ADDRESS adds 1."""
+        self.into_core = 0
+        """DATA IN: the word goes into core, else out of it."""
+        self.increments = 0
+        """MEM INCREMENT: out of core, and the word in core counts up."""
+
+    def accepted(self, now: int) -> None:
+        """BRK RQ was accepted at tick `now`: set `due` to what comes next."""
+
+    def overflow(self, now: int) -> None:
+        """The word count became 0."""
+
+    def give(self, now: int) -> int:
+        """Return the word that goes into core."""
+        raise NotImplementedError
+
+    def take(self, word: int, now: int) -> None:
+        """Take the word that comes out of core."""
+        raise NotImplementedError
+
+
 class Bus:
     """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
 
@@ -96,6 +145,8 @@ class Bus:
 
     def __init__(self) -> None:
         self.first: Device | None = None
+        self.has_breaks = False
+        """Whether a device with a data break is fitted."""
         self.actions = 0
         """How many pulses other than IOP1, and how many INITIALIZE, ION and IOF, there have been."""
 
@@ -115,6 +166,8 @@ class Bus:
             raise ValueError(f"device code {code:o}: 01 to 77 are allowed")
         if device.code or self.device(code) is not None:
             raise ValueError(f"device {code:02o} is fitted already")
+        if isinstance(device, BreakDevice):
+            self.has_breaks = True
         device.code = code
         device.behind = self.first
         self.first = device
@@ -163,13 +216,42 @@ class Bus:
         while device is not None:
             if device.due <= now:
                 device.advance(now)
-            if device.flag:
+            if device.flag and device.enabled:
                 return True
             device = device.behind
         return False
 
+    def accept_break(self, tp1: int, now: int) -> BreakDevice | None:
+        """Accept the break requested by `tp1`, of the nearest device on the cable; return the device."""
+        device = self.first
+        while device is not None:
+            if isinstance(device, BreakDevice):
+                asking: BreakDevice = device
+                if asking.due <= tp1:
+                    asking.advance(tp1)
+                if asking.asked <= tp1:
+                    asking.asked = NEVER
+                    asking.breaking = 1
+                    asking.accepted(now)
+                    return asking
+            device = device.behind
+        return None
+
+    def in_break(self) -> BreakDevice | None:
+        """Return the device whose break is under way."""
+        device = self.first
+        while device is not None:
+            if isinstance(device, BreakDevice):
+                asking: BreakDevice = device
+                if asking.breaking:
+                    return asking
+            device = device.behind
+        return None
+
     def next_event(self, now: int) -> int:
-        """Return the tick after `now` at which a flag changes next, NEVER if none will."""
+        """Return the tick after `now` at which a flag changes next, NEVER if none will; while a break is
+        requested, the tick at which it was.
+        """
         event = NEVER
         device = self.first
         while device is not None:

@@ -1,11 +1,10 @@
-"""The 4096 words of core as they are examined and deposited from outside: addresses and words are checked."""
+"""The words of core as they are examined and deposited from outside: addresses and words are checked."""
 
 from collections.abc import Iterable, Iterator
 from typing import overload
 
 from pdp8.computer.hardware.processor import Processor
 
-SIZE = 0o10000
 WORD = 0o7777
 
 
@@ -21,7 +20,7 @@ def allowed(value: int, what: str, most: int = WORD) -> int:
 class Core:
     """The core of one processor: `core[0o200]` is a word, `core[0o200:0o210]` a list of eight.
 
-    Raises IndexError for an address that is not one of 0000 to 7777, ValueError for a word that is none.
+    Raises IndexError for an address past its end, which is 7777 in 4K, ValueError for a word that is none.
     """
 
     def __init__(self, processor: Processor) -> None:
@@ -33,8 +32,8 @@ class Core:
     def __getitem__(self, address: slice) -> list[int]: ...
     def __getitem__(self, address: int | slice) -> int | list[int]:
         if isinstance(address, slice):
-            return [self._processor.core[each] for each in _addresses(address)]
-        return self._processor.core[_checked(address)]
+            return [self._processor.core[each] for each in _addresses(self, address)]
+        return self._processor.core[self._checked(address)]
 
     @overload
     def __setitem__(self, address: int, word: int) -> None: ...
@@ -43,33 +42,32 @@ class Core:
     def __setitem__(self, address: int | slice, word: int | Iterable[int]) -> None:
         if isinstance(address, slice):
             assert not isinstance(word, int), "a range of addresses takes a word for each"
-            addresses, words = _addresses(address), list(word)
+            addresses, words = _addresses(self, address), list(word)
             if len(words) != len(addresses):
                 raise ValueError(f"{len(words)} words for {len(addresses)} addresses of core")
         else:
             assert isinstance(word, int), "one address takes one word"
-            addresses, words = range(_checked(address), address + 1), [word]
+            addresses, words = range(self._checked(address), address + 1), [word]
         for value in words:
             allowed(value, "a word")
         for each, value in zip(addresses, words, strict=True):
             self._processor.deposit(each, value)
 
     def __len__(self) -> int:
-        return SIZE
+        return self._processor.extension.size
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._processor.core)
 
+    def _checked(self, address: int) -> int:
+        if not 0 <= address < len(self):
+            raise IndexError(f"core has addresses 0000 to {len(self) - 1:o}, not {address:o}")
+        return address
 
-def _checked(address: int) -> int:
-    if not 0 <= address < SIZE:
-        raise IndexError(f"core has addresses 0000 to 7777, not {address:o}")
-    return address
 
-
-def _addresses(part: slice) -> range:
+def _addresses(core: Core, part: slice) -> range:
     """Return the addresses of a slice, whose bounds are addresses or that after the last."""
     for bound in (part.start, part.stop):
-        if bound is not None and not 0 <= bound <= SIZE:
-            raise IndexError(f"core has addresses 0000 to 7777, not {bound:o}")
-    return range(SIZE)[part]
+        if bound is not None and not 0 <= bound <= len(core):
+            raise IndexError(f"core has addresses 0000 to {len(core) - 1:o}, not {bound:o}")
+    return range(len(core))[part]

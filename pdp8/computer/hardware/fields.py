@@ -9,6 +9,7 @@ A class has `fields`: the name of each attribute, and how a saved state writes i
     TICK                a time in ticks of 0.05 us, `never`, or -1 for at once
     FRAMES              a tape, or whatever else is frames
     CORE                a copy of core, or none
+    MEDIUM              what is on a reel or a disk, which has a `digest`, or none; a state names it by that
     PART                an object with fields of its own
 
 Taken, a state is values in memory: {"processor pc": 0o200, "devices 03 reader position": 5, ...}; what is
@@ -21,7 +22,7 @@ from typing import Any, Protocol
 
 BIT = 1
 COUNT = 1 << 52
-TICK, FRAMES, PART, CORE = "tick", "frames", "part", "core"
+TICK, FRAMES, PART, CORE, MEDIUM = "tick", "frames", "part", "core", "medium"
 
 Values = dict[str, Any]
 Field = tuple[str, "Part", str, int | str]
@@ -34,6 +35,14 @@ class Part(Protocol):
     """Whatever has fields."""
 
     fields: Mapping[str, int | str]
+
+
+class Medium(Protocol):
+    """What is on a reel or a disk as it was mounted; it does not change."""
+
+    @property
+    def digest(self) -> str:
+        """The name under which a saved state knows it."""
 
 
 def saved(**fields: int | str) -> Mapping[str, int | str]:

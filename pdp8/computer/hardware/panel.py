@@ -1,19 +1,21 @@
 """The operator's panel of the PDP-8/L: lamps, switches and keys.
 
-    MA  ............       IR ...                  FETCH  DEFER  EXECUTE
+EMA .  MA  ............    IR ...                  FETCH  DEFER  EXECUTE
     MB  ............  LINK .  AC ............      WORD COUNT  CURRENT ADDRESS  BREAK
                                                    ION  PARITY  PROTECT  RUN
-    SR  ____________  MEM PROT   LOAD ADD   START CONT STOP   SING STEP   EXAM DEP
+    DATA FIELD  INST FIELD  SR  ____________  MEM PROT   LOAD ADD   START CONT STOP   SING STEP   EXAM DEP
 
 An 8/L has no lamps for the PC, and its IR shows the op code as three bits. LOAD ADD does a memory cycle, so
-that MB shows the word. All keys but STOP do nothing while RUN is on. LOAD ADD, EXAM, DEP and START abandon an
-instruction that is not finished, and an interrupt that is due; FETCH, DEFER and EXECUTE are dark then.
+that MB shows the word. All keys but STOP do nothing while RUN is on. LOAD ADD, EXAM, DEP and START abandon
+an instruction or a data break that is not finished, and an interrupt that is due; all major states are dark.
+
+EMA and the field switches belong to the memory extension, and do nothing without one. EMA shows the field of
+the next cycle, where MA shows the address of the last one. LOAD ADD loads IF and DF from the switches; it,
+EXAM and DEP are in the instruction field.
 
 A hand comes between two cycles: SING STEP stops the machine there, STOP at the end of the instruction.
 
-Not emulated: the data and instruction field switches and EMA (they belong to the MC8/L), the power and lock
-switch, the 100 ms a key takes. WORD COUNT, CURRENT ADDRESS, BREAK and PARITY never light: no option that
-lights them is fitted.
+Not emulated: the power and lock switch, the 100 ms a key takes. PARITY never lights.
 
 By convention, where the sources differ (docs/emulated.md): STOP comes before an interrupt that is due, which
 CONT then does; ION lights its lamp at once; a DEP that MEM PROT refuses leaves the old word in MB.
@@ -25,8 +27,9 @@ real one, by the pdp8l project (mrieker); the gates of an 8/I from DEC's drawing
 from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
-from pal.isa import DEFER, EXECUTE, FETCH
+from pal.isa import BREAK, CURRENT_ADDRESS, DEFER, EXECUTE, FETCH, WORD_COUNT
 from pdp8.computer.hardware.core import allowed
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import PROTECTED
 
@@ -118,24 +121,53 @@ class Panel:
             fetch=int(p.state == FETCH),
             defer=int(p.state == DEFER),
             execute=int(p.state == EXECUTE),
-            word_count=0,
-            current_address=0,
-            break_=0,
+            word_count=int(p.state == WORD_COUNT),
+            current_address=int(p.state == CURRENT_ADDRESS),
+            break_=int(p.state == BREAK),
             ion=p.ion,
             parity=0,
             protect=p.protect,
             run=p.run,
         )
 
+    @property
+    def inst_field(self) -> int:
+        """INST FIELD, the number of a field."""
+        return self.processor.extension.inst_switch >> 12
+
+    @inst_field.setter
+    def inst_field(self, field: int) -> None:
+        self.processor.extension.inst_switch = self._field(field, "INST FIELD")
+
+    @property
+    def data_field(self) -> int:
+        """DATA FIELD, the number of a field."""
+        return self.processor.extension.data_switch >> 12
+
+    @data_field.setter
+    def data_field(self, field: int) -> None:
+        self.processor.extension.data_switch = self._field(field, "DATA FIELD")
+
+    def _field(self, field: int, switch: str) -> int:
+        return allowed(field, switch, (self.processor.extension.size >> 12) - 1) << 12
+
+    @property
+    def ema(self) -> int:
+        """The EMA lamp: the number of the field of the next cycle."""
+        return self.processor.next_field() >> 12
+
     def load_add(self) -> None:
         """LOAD ADD: the switches into PC and MA, and MB shows the word there."""
-        self.load_address(self.processor.sr)
+        self.load_address(self.processor.extension.inst_switch | self.processor.sr)
 
     def load_address(self, address: int) -> None:
-        """Do what LOAD ADD does with `address` in the switches."""
-        allowed(address, "the address")
-        if not self.processor.run:
-            self.processor.pc = address
+        """Do what LOAD ADD does with `address` in the switches, its field in INST FIELD."""
+        p = self.processor
+        allowed(address, "the address", p.extension.size - 1)
+        if not p.run:
+            if p.extension.size > FIELD:
+                p.extension.load_address(address & 0o70000, p.extension.data_switch)
+            p.pc = address & 0o7777
             self._read()
 
     def exam(self) -> None:
@@ -151,11 +183,11 @@ class Panel:
         if p.run:
             return
         self._read()
-        if p.mem_prot and p.ma >= PROTECTED:
+        if p.mem_prot and p.ma >= PROTECTED and p.extension.field == 0:
             p.protect = 1
         else:
             p.mb = p.sr
-            p.deposit(p.ma, p.sr)
+            p.deposit(p.extension.field | p.ma, p.sr)
         p.pc = p.pc + 1 & 0o7777
 
     def _read(self) -> None:
@@ -163,7 +195,8 @@ class Panel:
         p.preset()
         p.protect = 0
         p.ma = p.pc
-        p.mb = p.core[p.ma]
+        p.extension.field = p.extension.inst_field
+        p.mb = p.core[p.extension.field | p.ma]
 
     def start(self) -> None:
         """START: INITIALIZE, then FETCH at PC."""

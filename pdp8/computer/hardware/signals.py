@@ -21,6 +21,9 @@ FRAME = TICKS_PER_SECOND // 10
 SKIP = 0o10000
 CLEAR_AC = 0o20000
 
+TP1 = 10
+"""When in a cycle a break that is requested is seen."""
+
 INTERRUPT = 3
 """What follows an instruction when an interrupt is taken: an EXECUTE cycle that does JMS 0."""
 PROTECTED = 0o7600

@@ -3,6 +3,7 @@
 A run saved at any instant goes on as if nothing had happened.
 
     {"format": "pdp8 state", "version": 2,
+     "memory": 8192,                             where it is not 4096: words of core
      "core": {"0200": "7200 1205 ..."},          eight words a line; words not named are 0000
      "processor": {"pc": "0200", "clock": 85},   words are octal strings; counts, flags and ticks are numbers
      "bus": {...}, "waiting": {...},
@@ -19,14 +20,15 @@ from typing import Any
 
 from pdp8.computer.hardware.bus import Device, Peripheral
 from pdp8.computer.hardware.devices import one_of_each
-from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Values, walk
-from pdp8.computer.hardware.signals import AT_ONCE, NEVER
+from pdp8.computer.hardware.extension import FIELD, SIZES
+from pdp8.computer.hardware.fields import CORE, FRAMES, MEDIUM, PART, TICK, Medium, Values, walk
+from pdp8.computer.hardware.signals import AT_ONCE, INTERRUPT, NEVER
 from pdp8.computer.hardware.teletype import Reader, Teletype
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
 HEAD = {"format": "pdp8 state", "version": 2}
-_PARTS = ("core", "processor", "bus", "waiting", "devices")
+_PARTS = ("memory", "core", "processor", "bus", "waiting", "extension", "devices")
 _LATEST = 1 << 56
 """Ticks, 114 years: the line counts eleven times as many parts."""
 _ROW = 8
@@ -42,7 +44,10 @@ def save(machine: Machine) -> str:
     """Return the state of `machine` as text."""
     values = machine.values()
     core = _words(values["core"])
-    state: dict[str, Any] = {**HEAD, "core": _rows(core, _words(bytes(2 * len(core))))}
+    state: dict[str, Any] = {**HEAD}
+    if machine.memory != FIELD:
+        state["memory"] = machine.memory
+    state["core"] = _rows(core, _words(bytes(2 * len(core))))
     for path, part in walk(machine.parts()):
         place = state
         for step in path.split():
@@ -59,6 +64,8 @@ def _written(kind: int | str, value: Any, core: "array[int]") -> object:
     """Return a value as JSON has it; a copy of core by the rows in which it is not as `core`."""
     if kind == TICK:
         return _NEVER if value == NEVER else value
+    if kind == MEDIUM:
+        return None if value is None else value.digest
     if kind == FRAMES:
         rows = (value[at : at + _FRAMES] for at in range(0, len(value), _FRAMES))
         return [" ".join(f"{frame:03o}" for frame in row) for row in rows]
@@ -84,27 +91,44 @@ LARGEST = 48 << 20
 """Bytes of a saved state: five tapes of 2 MiB, four bytes a frame and some more."""
 
 
-def restore(text: str, fitted: Iterable[Peripheral] = ()) -> Machine:
+def restore(
+    text: str,
+    fitted: Iterable[Peripheral] = (),
+    media: Iterable[Medium] = (),
+    known: Iterable[Peripheral] | None = None,
+) -> Machine:
     """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
     StateError.
 
-    It has the new devices `fitted`, and those of devices.py that the state names besides.
+    It has the new devices `fitted`, and those `known`, else those of devices.py, which the state names
+    besides. `media` are the reels that a state may name, besides those on `fitted`; these stay where it names
+    none.
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
-    machine = Machine(_fitted(devices, fitted))
+    memory = _number(state.get("memory", FIELD), FIELD, max(SIZES), "memory")
+    if memory not in SIZES:
+        raise StateError(f"memory: {memory} words; {', '.join(f'{size}' for size in SIZES)} are allowed")
+    machine = Machine(_fitted(devices, fitted, one_of_each() if known is None else known), memory)
     for number, fields in devices.items():
         _check_device(machine, number, fields)
     core = _copy(state.get("core", {}), "core", machine.processor.core)
     values: Values = {"core": core.tobytes()}
+    reels = {medium.digest: medium for medium in media}
     for path, part in walk(machine.parts()):
         for name, given in _fields(state, path).items():
             kind, place = part.fields.get(name), f"{path} {name}"
             if kind is None:
                 raise StateError(f"{place}: the fields are {' '.join(part.fields)}")
-            if kind != PART:
+            if kind == MEDIUM:
+                mounted = getattr(part, name)
+                values[place] = mounted if given is None else _medium(given, mounted, reels, place)
+            elif kind != PART:
                 values[place] = _read(kind, given, place, core)
-    machine.put(values)
+    try:
+        machine.put(values)
+    except ValueError as error:
+        raise StateError(f"{error}") from error
     for device in machine.bus:
         if f"devices {device.code:02o} due" not in values:
             device.restored()
@@ -112,15 +136,17 @@ def restore(text: str, fitted: Iterable[Peripheral] = ()) -> Machine:
     return machine
 
 
-def _fitted(saved: Mapping[str, Any], fitted: Iterable[Peripheral]) -> list[Peripheral]:
-    """Return the devices of a machine with `fitted`, and with those we have of what was `saved`."""
+def _fitted(
+    saved: Mapping[str, Any], fitted: Iterable[Peripheral], known: Iterable[Peripheral]
+) -> list[Peripheral]:
+    """Return the devices of a machine with `fitted`, and with those known of what was `saved`."""
     by_code = {device.CODE: device for device in fitted}
     found: list[Peripheral] = []
-    for known in one_of_each():
-        if known.CODE in by_code:
-            found.append(by_code.pop(known.CODE))
-        elif f"{known.CODE:02o}" in saved or isinstance(known, Teletype):
-            found.append(known)
+    for each in known:
+        if each.CODE in by_code:
+            found.append(by_code.pop(each.CODE))
+        elif f"{each.CODE:02o}" in saved or isinstance(each, Teletype):
+            found.append(each)
     return [*found, *by_code.values()]
 
 
@@ -175,6 +201,15 @@ def _read(kind: int | str, value: object, place: str, core: "array[int]") -> Any
     return _octal(value, int(kind, 8), place) if isinstance(kind, str) else _number(value, 0, kind, place)
 
 
+def _medium(given: object, mounted: Medium | None, reels: Mapping[str, Medium], place: str) -> Medium:
+    """Return the reel that a state names by its digest."""
+    if mounted is not None and mounted.digest == given:
+        return mounted
+    if not isinstance(given, str) or given not in reels:
+        raise StateError(f"{place}: the state needs the reel whose SHA-256 is {_short(given)}: mount it too")
+    return reels[given]
+
+
 def _object(value: object, place: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise StateError(f"{place}: {_short(value)} is not an object with fields")
@@ -220,9 +255,9 @@ def _copy(value: object, place: str, core: "array[int]") -> "array[int]":
     copy = core[:]
     for first, words in _object(value, place).items():
         for offset, word in enumerate(_numbers(words, f"{place} {first}")):
-            address = _octal(first, 0o7777, place) + offset
-            if address > 0o7777:
-                raise StateError(f"{place} {first}: the words go beyond 7777")
+            address = _octal(first, len(core) - 1, place) + offset
+            if address >= len(core):
+                raise StateError(f"{place} {first}: the words go beyond {len(core) - 1:o}")
             copy[address] = _octal(word, 0o7777, f"{place} {first}")
     return copy
 
@@ -233,6 +268,8 @@ def _check(machine: Machine) -> None:
         if isinstance(part, Reader) and part.position > len(part.tape):
             raise StateError(f"the reader stands at frame {part.position} of a tape of {len(part.tape)}")
     p, waiting = machine.processor, machine.waiting
+    if (p.next > INTERRUPT) != (machine.bus.in_break() is not None):
+        raise StateError("processor next: a data break is 4 to 6, and a device is breaking")
     if waiting.clock > p.clock or waiting.instructions > p.instructions:
         raise StateError("waiting: its clock and instructions lie after those of the processor")
 

@@ -10,9 +10,10 @@ stops, interrupts, and the last instruction before a run ends, which lights the 
 
     piece ─► does the program only wait? ─► one instruction of the processor ─► does it wait? ─► piece ...
 
-where a piece (piece.py) goes on until something is due (a flag under ION, the end of the run) or such an
-instruction comes. Every store, by the program or from outside, clears the decoded form of its word. ISZ X,
-JMP .-1 is counted down at once, as far as the piece goes.
+where a piece (piece.py) goes on until something is due (a flag under ION, a data break, the end of the run)
+or such an instruction comes. In more than 4K a piece stays in one instruction field and one data field. Every
+store, by the program or from outside, clears the decoded form of its word. ISZ X, JMP .-1 is counted down at
+once, as far as the piece goes.
 
 This file runs as it is; Cython compiles it with the types in engine.pxd beside it.
 
@@ -23,6 +24,7 @@ from array import array
 from collections.abc import Set
 
 from pal.isa import (
+    BREAK,
     CLA,
     EXECUTE,
     FETCH,
@@ -37,6 +39,7 @@ from pal.isa import (
     jumps_to,
     refers_to,
 )
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, PROTECTED
 from pdp8.computer.speed import piece
@@ -62,6 +65,7 @@ from pdp8.computer.speed.piece import (
     SKIP_CLA,
     SKIP_UNLESS,
     SKIP_UNLESS_CLA,
+    STRIDE,
     TAD_AUTO,
     TAD_I,
     TAD_X,
@@ -94,15 +98,19 @@ class Engine:
         self.waiting = waiting
         self.delays = delays
         self.core = processor.core
+        self.base = 0
+        """Where the decoded forms of the instruction field begin."""
         self.wall = 0o10000
         """The first address that may not be written: MEM PROT's, or that after the end of core."""
         self.breakpoints: Set[int] = frozenset()
         self.has_breakpoints = False
         """Whether there are any."""
         self.conditions = CONDITIONS
-        # Two words past the end wrap the PC, which can overrun by a skip.
-        self.processor.forms[0o10000] = self.processor.forms[0o10001] = WRAP
-        self.arg = array("H", bytes(2 * 0o10002))
+        # Two words past the end of a field wrap the PC, which can overrun by a skip.
+        for field in range(processor.extension.size // FIELD):
+            past = STRIDE * field + FIELD
+            self.processor.forms[past] = self.processor.forms[past + 1] = WRAP
+        self.arg = array("H", bytes(2 * 8 * STRIDE))
         self.registers = [0, 0, 0]
         # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
         keep = [(0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)]
@@ -122,7 +130,9 @@ class Engine:
     def _called(self) -> bool:
         """Tell whether the processor's last instruction was a JMS to a breakpoint."""
         p = self.processor
-        return p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.ma in self.breakpoints
+        return (
+            p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.extension.field | p.ma in self.breakpoints
+        )
 
     def _prepare(self, breakpoints: Set[int]) -> None:
         """Clear the decoded forms if MEM PROT or the breakpoints are others than in the last run."""
@@ -132,8 +142,8 @@ class Engine:
         self.wall = wall
         self.breakpoints = frozenset(breakpoints)
         self.has_breakpoints = len(breakpoints) > 0
-        for address in range(0o10000):
-            self.processor.forms[address] = UNDECODED
+        for address in range(self.processor.extension.size):
+            self.processor.forms[address + 2 * (address // FIELD)] = UNDECODED
 
     def _room(self, until: int, last: int) -> int:
         """Return the cycles of the next piece, 0 if the processor has to do the next instruction: also when
@@ -142,20 +152,23 @@ class Engine:
         p = self.processor
         if p.next != FETCH or self.waiting.stepping:
             return 0
-        if self.wall != _wall(p.mem_prot):
+        if self.wall != _wall(p.mem_prot) or p.extension.inhibit:
+            return 0
+        if not piece.reaches(p.extension.inst_field // FIELD, p.extension.data_field // FIELD):
             return 0
         room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST * CYCLE)
         if last - p.instructions <= _CYCLES:
             room = min(room, (last - p.instructions - 1) * CYCLE)
-        if p.ion:
-            if not p.ion_delayed or p.bus.request(p.clock):
-                return 0
+        if p.ion and (not p.ion_delayed or p.bus.request(p.clock)):
+            return 0
+        if p.ion or p.bus.has_breaks:
             room = min(room, p.bus.next_event(p.clock) - p.clock - LONGEST * CYCLE)
         return max(room + CYCLE - 1, 0) // CYCLE if p.run else 0
 
     def _decode(self, address: int) -> None:
         """Fill in the operation of the word at `address`, and its operand."""
-        word = self.core[address]
+        field = self.processor.extension.inst_field
+        word = self.core[field | address]
         code = word >> 9
         if code < IOT:
             operand = refers_to(word, address)
@@ -168,8 +181,8 @@ class Engine:
             operand, op = _group2(word)
         if self.has_breakpoints and self._may_lead_to_one(word, operand, address):
             op = LEFT
-        self.arg[address] = operand
-        self.processor.forms[address] = op
+        self.arg[self.base + address] = operand
+        self.processor.forms[self.base + address] = op
 
     def _memory_reference(self, word: int, operand: int, address: int) -> int:
         code = word >> 9
@@ -187,34 +200,45 @@ class Engine:
         """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
         if address == 0o7777 or counter in (address, address + 1):
             return False
-        return jumps_to(address, self.core[address + 1], address + 1)
+        behind = self.core[self.processor.extension.inst_field | address + 1]
+        return jumps_to(address, behind, address + 1)
 
     def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
         """Tell whether a breakpoint may follow the instruction: the lamps must be right there."""
-        after = {address + 1 & 0o7777, address + 2 & 0o7777}
+        after = [address + 1 & 0o7777, address + 2 & 0o7777]
         if word >> 9 in (JMS, JMP):
             if word & INDIRECT:
                 return True
-            after = {operand, operand + 1 & 0o7777}
-        return bool(self.breakpoints & after)
+            after = [operand, operand + 1 & 0o7777]
+        field = self.processor.extension.inst_field
+        return field | after[0] in self.breakpoints or field | after[1] in self.breakpoints
 
     def _run_pieces(self, until: int, last: int) -> bool:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
         p, waiting = self.processor, self.waiting
         while p.clock < until and p.instructions < last:
-            if p.forms[p.pc & 0o7777] == LEFT or not self._run_piece(self._room(until, last) << 26):
+            self.base = p.extension.inst_field // FIELD * STRIDE
+            left = p.forms[self.base + (p.pc & 0o7777)] == LEFT
+            if left or not self._run_piece(self._room(until, last) << 26):
                 p.instruction()
                 if self.has_breakpoints and self._called():
                     return True
                 if not p.run:
                     return False
             waiting.look(until, last)
-            if waiting.endless or (self.has_breakpoints and p.pc in self.breakpoints):
+            if waiting.endless or (self.has_breakpoints and self._at_breakpoint()):
                 return False
         return False
 
+    def _at_breakpoint(self) -> bool:
+        """Tell whether a breakpoint is come to; after a data break the run goes on with its instruction."""
+        p = self.processor
+        return p.state != BREAK and p.extension.inst_field | p.pc in self.breakpoints
+
     def _run_piece(self, limit: int) -> bool:
         """Run a piece of `limit`; return whether it executed anything."""
+        if limit == 0:
+            return False
         p, registers = self.processor, self.registers
         registers[0], registers[1], registers[2] = p.pc & 0o7777, p.lac & 0o17777, 0
         while self._execute(limit) == UNDECODED:
@@ -230,10 +254,13 @@ class Engine:
         return True
 
     def _execute(self, limit: int) -> int:
-        return piece.execute(
+        p = self.processor
+        return piece.run(
             self.core,
-            self.processor.forms,
+            p.forms,
             self.arg,
+            p.extension.inst_field // FIELD,
+            p.extension.data_field // FIELD,
             self.keep,
             self.flip,
             self.plus,

@@ -4,13 +4,17 @@
     ops          6     1     4  ...       what to do, 0 where the word is not decoded
     arg        300   205   201  ...       its operand: an effective address, or OPR bits
 
+In more than 4K core, ops and arg are those of the instruction field; data and data_ops are core and ops of
+the data field, in which the operands of indirect AND, TAD, ISZ and DCA are.
+
 Every store clears the decoded form of its word. One number `time` counts, from the lowest, 13 bits of
 instructions, 13 of those that write, and cycles: what an instruction takes is one addition. The operations
 that programs use most stand first, as Python looks for them in this order.
 
 engine.py decodes. SKIP skips if one of the conditions in its operand holds (SMA SZA SNL), SKIP_UNLESS if
 none does (SPA SNA SZL); GROUP_1 does not rotate. Where there is a C compiler, setup.py translates this file
-to C, statement by statement (release/threaded.py); so it holds to what C has too: integers and arrays.
+to C, statement by statement (release/threaded.py); so `execute` holds to what C has too: integers and arrays.
+In C it is there twice, once for programs whose data is in their instruction field.
 
 Sources: those of processor.py, which tests hold this in lockstep with.
 """
@@ -29,12 +33,41 @@ WRAP = 24
 """Past the end of core."""
 LEFT = 25
 """Left to the processor."""
+STRIDE = 4098
+"""From the decoded forms of a field to those of the next: two past its end wrap the PC."""
+
+
+def reaches(inst: int, data: int) -> bool:
+    """Tell whether `run` has pieces for an instruction field and a data field: those of C for all, the others
+    for field 0, since an array of Python has no part that is written through.
+    """
+    return inst == 0 and data == 0
+
+
+def run(
+    core: MutableSequence[int],
+    ops: MutableSequence[int],
+    arg: MutableSequence[int],
+    inst: int,
+    data: int,
+    keep: MutableSequence[int],
+    flip: MutableSequence[int],
+    plus: MutableSequence[int],
+    conditions: bytes,
+    registers: list[int],
+    wall: int,
+    limit: int,
+) -> int:
+    """Do what `execute` does, in the instruction field `inst` and the data field `data` of all core."""
+    return execute(core, ops, arg, core, ops, keep, flip, plus, conditions, registers, wall, limit)
 
 
 def execute(
     core: MutableSequence[int],
     ops: MutableSequence[int],
     arg: MutableSequence[int],
+    data: MutableSequence[int],
+    data_ops: MutableSequence[int],
     keep: MutableSequence[int],
     flip: MutableSequence[int],
     plus: MutableSequence[int],
@@ -94,7 +127,7 @@ def execute(
                 pc += 1
             lac &= 0o10000
         elif op == TAD_I:
-            lac = lac + core[core[x]] & 0o17777
+            lac = lac + data[core[x]] & 0o17777
             time += 3 << 26 | 1
             pc += 1
         elif op == JMP_I:
@@ -104,8 +137,8 @@ def execute(
             address = core[x]
             if address >= wall:
                 break
-            core[address] = lac & 0o7777
-            ops[address] = 0
+            data[address] = lac & 0o7777
+            data_ops[address] = 0
             lac &= 0o10000
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
@@ -128,7 +161,7 @@ def execute(
             address = core[x] + 1 & 0o7777
             core[x] = address
             ops[x] = 0
-            lac = lac + core[address] & 0o17777
+            lac = lac + data[address] & 0o17777
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
         elif op == DCA_AUTO:
@@ -137,8 +170,8 @@ def execute(
                 break
             core[x] = address
             ops[x] = 0
-            core[address] = lac & 0o7777
-            ops[address] = 0
+            data[address] = lac & 0o7777
+            data_ops[address] = 0
             lac &= 0o10000
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
@@ -179,15 +212,15 @@ def execute(
             address = core[x]
             if address >= wall:
                 break
-            word = core[address] + 1 & 0o7777
-            core[address] = word
-            ops[address] = 0
+            word = data[address] + 1 & 0o7777
+            data[address] = word
+            data_ops[address] = 0
             time += 3 << 26 | 1 << 13 | 1
             pc += 1
             if word == 0:
                 pc += 1
         elif op == AND_I:
-            lac &= core[core[x]] | 0o10000
+            lac &= data[core[x]] | 0o10000
             time += 3 << 26 | 1
             pc += 1
         elif op == DELAY:

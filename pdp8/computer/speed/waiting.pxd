@@ -8,7 +8,7 @@ from pdp8.computer.hardware.bus cimport Device
 from pdp8.computer.hardware.processor cimport Processor
 
 cdef int64_t NEVER, PERIOD, _FLAG_TICKS
-cdef int CYCLE, FETCH, IOT, IO_TICKS, JMP, _TESTS, _STEPS, _FORGOTTEN
+cdef int CYCLE, INTERRUPT, FETCH, IOT, IO_TICKS, JMP, _TESTS, _STEPS, _FORGOTTEN
 
 
 @cython.final
@@ -25,7 +25,7 @@ cdef class Waiting:
     @cython.locals(word=int)
     cpdef int look(self, int64_t until, int64_t last) except -1
     @cython.locals(word=int)
-    @cython.locals(word=int, code=int, behind=int, event=int64_t, device=Device)
+    @cython.locals(word=int, code=int, behind=int, field=int, event=int64_t, device=Device)
     cdef bint _waits_for_flag(self, int64_t until, int64_t last) except -1
     @cython.locals(still=bint)
     cdef int _look_anywhere(self) except -1

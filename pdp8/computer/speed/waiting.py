@@ -15,7 +15,7 @@ instructions and of ticks stays exact.
 
 from array import array
 
-from pal.isa import FETCH, IOT, JMP, jumps_to, tests_flag
+from pal.isa import BREAK, FETCH, IOT, JMP, jumps_to, tests_flag
 from pdp8.computer.hardware.fields import BIT, CORE, COUNT, FRAMES, PART, TICK, saved
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, NEVER
@@ -38,7 +38,7 @@ class Left:
         **dict.fromkeys(("pc", "sr"), "7777"),
         **dict.fromkeys(("ion", "ion_delayed", "mem_prot"), BIT),
         lac="17777",
-        next=INTERRUPT,
+        next=BREAK,
         clock=TICK,
         instructions=COUNT,
     )
@@ -51,6 +51,7 @@ class Left:
         """Note the registers as they are."""
         for name in self.fields:
             setattr(self, name, getattr(processor, name))
+        processor.extension.left = processor.extension.registers()
 
     def forget(self) -> None:
         """Note nothing: the run ended by itself."""
@@ -58,7 +59,8 @@ class Left:
 
     def holds(self, processor: Processor) -> bool:
         """Tell whether the registers are as they were noted."""
-        return all(getattr(self, name) == getattr(processor, name) for name in self.fields)
+        same = all(getattr(self, name) == getattr(processor, name) for name in self.fields)
+        return same and processor.extension.left == processor.extension.registers()
 
 
 class Waiting:
@@ -104,6 +106,7 @@ class Waiting:
         p = self.processor
         self.quiet_until = p.bus.next_event(p.clock)  # first: what sees a frame now may set the machine
         self.pc, self.lac = p.pc, p.lac
+        p.extension.remembered = p.extension.registers()
         self.sr, self.mem_prot, self.ion = p.sr, p.mem_prot, p.ion
         self.actions = p.bus.actions
         self.clock, self.instructions = p.clock, p.instructions
@@ -123,12 +126,14 @@ class Waiting:
         Stops short of tick `until` and of `last` instructions in all.
         """
         p = self.processor
-        if self.stepping:
+        if p.next > INTERRUPT:
+            pass  # a data break comes first
+        elif self.stepping:
             self._compare(until, last)
         elif p.clock >= self.next_look:
             self._look_anywhere()
         else:
-            word = self._words[p.pc]
+            word = self._words[p.extension.inst_field | p.pc]
             if word >> 9 == IOT:
                 if tests_flag(word) and not self._waits_for_flag(until, last):
                     self._compare(until, last)
@@ -144,9 +149,10 @@ class Waiting:
         event = p.bus.next_event(p.clock)  # a device that saw a frame may have stopped the machine, or set it
         if self.turn_first or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
             return False
-        word, behind = self._words[p.pc], p.pc + 1 & 0o7777
+        field, behind = p.extension.inst_field, p.pc + 1 & 0o7777
+        word = self._words[field | p.pc]
         code = word >> 3 & 0o77
-        if not tests_flag(word) or not jumps_to(p.pc, self._words[behind], behind):
+        if not tests_flag(word) or not jumps_to(p.pc, self._words[field | behind], behind):
             return False
         if p.ion and p.bus.request(p.clock):
             return False
@@ -181,7 +187,12 @@ class Waiting:
             self.tries -= 1
             if self.tries == 0:
                 self._remember()
-        elif p.ion != self.ion or p.sr != self.sr or p.mem_prot != self.mem_prot:
+        elif (
+            p.ion != self.ion
+            or p.sr != self.sr
+            or p.mem_prot != self.mem_prot
+            or p.extension.remembered != p.extension.registers()
+        ):
             self._remember()
         elif self._unchanged():
             self._pass_turns(until, last)

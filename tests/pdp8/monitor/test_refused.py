@@ -19,6 +19,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.monitor.commands import COMMANDS
 from pdp8.monitor.prompt import Monitor
+from tapes import dectape
 from tapes.errors import WorkError
 from tests import commands
 from tests.pdp8.monitor import do
@@ -26,10 +27,22 @@ from tests.pdp8.monitor import do
 REFUSED = {
     "examine": ("", "9", "200 9", "20:17", "CHK-CHK", "NOPE"),
     "deposit": ("", "200", "200 7402 9", "200 1 10000", "203-200 1", "200-203 1 2", "7777 1 2", "200 -1"),
-    "set": ("", "ac", "ac 10000", "ir 10", "mq 0", "mem_prot maybe", "hands soon", "ac 1 2", "hands -1"),
+    "set": (
+        "",
+        "ac",
+        "ac 10000",
+        "ir 10",
+        "mq 0",
+        "mem_prot maybe",
+        "cpu 5k",
+        "inst_field 1",
+        "hands soon",
+        "ac 1 2",
+        "hands -1",
+    ),
     "registers": ("now",),
     "load": ("", "nowhere.pal", "wrong.pal", "cut.bin", "eia.pal twice", ".", "in.asc"),
-    "boot": ("", "nowhere.pal", "wrong.pal", "eia.pal twice"),
+    "boot": ("", "nowhere.pal", "wrong.pal", "eia.pal twice", "dt0", "dt8"),
     "listing": ("", "nowhere.pal", "in.asc"),
     "rim": ("now",),
     "key": ("", "kick", "stop kick", "load_add dep kick"),
@@ -65,8 +78,11 @@ REFUSED = {
     "page": ("less", "more more"),
     "save": ("", "no/out", ".", "locked/out", "kept", "in.asc", "wrong.pal", "-", "/dev/full", "out more"),
     "restore": ("", "nowhere", "in.asc", "wrong.pal", "cut.state", "kept.state more"),
-    "attach": ("ptr", "rk0 x", "ptr missing", "ptp missing/x"),
-    "detach": ("", "ptp", "rk0"),
+    "attach": (
+        *("ptr", "rk0 x", "ptr missing", "ptp missing/x"),
+        *("dt0", "dt8 reel.tu56", "dt0 nowhere", "dt0 in.asc", "-r dt0", "dt0 big.tu56"),
+    ),
+    "detach": ("", "ptp", "rk0", "dt0", "dt9", "dt0 out.tu56", "dt0 forget"),
     "send": ("", "{"),
     "do": ("", "missing"),
     "echo": (),
@@ -126,6 +142,8 @@ def room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor]:
     (tmp_path / "cut.state").write_text(state.save(Machine())[:300])
     (tmp_path / "kept.state").write_text(state.save(Machine()))
     (tmp_path / "kept").write_bytes(b"kept")
+    (tmp_path / "reel.tu56").write_bytes(dectape.blank().content())
+    (tmp_path / "big.tu56").write_bytes(b"\xff" * len(dectape.blank().content()))
     (tmp_path / "kept").chmod(0o444)
     (tmp_path / "soft").symlink_to("in.asc")
     (tmp_path / "locked").mkdir(mode=0o555)

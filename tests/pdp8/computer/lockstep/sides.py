@@ -10,12 +10,14 @@ the reference.
 import copy
 import json
 import subprocess
+import sys
 from array import array
 from collections.abc import Iterable
 from functools import cache, partial
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 from tests.pdp8.computer.lockstep.situations import CONT, LOOKS, Act, Situation, put
 from tests.pdp8.computer.speed.forms import module
@@ -28,7 +30,8 @@ Seen = dict[str, Any]
 SEEN = {
     **{f"panel.lamps.{name}": name for name in ("ma", "mb", "link", "ac", "ir", "ion", "protect", "run")},
     **{f"panel.lamps.{name}": name for name in ("fetch", "defer", "execute")},
-    **{f"panel.lamps.{name}": "dark" for name in ("word_count", "current_address", "break_", "parity")},
+    **{f"panel.lamps.{name}": name for name in ("word_count", "current_address", "break_")},
+    "panel.lamps.parity": "dark",
     **{"pc": "pc", "sr": "sr", "processor.next": "next", "processor.ion_delayed": "ion_ready"},
     **{"processor.clock": "now", "instructions": "instructions", "processor.core": "core"},
     "teletype.receiver.flag": "teletype.receiver.flag",
@@ -49,9 +52,30 @@ SEEN_FAST = {
 }
 
 
-def seen_of(fast: bool) -> dict[str, str]:
-    """Return what is compared of a machine with or without the PC8/L."""
-    return SEEN | SEEN_FAST if fast else SEEN
+STATES = ("fetch", "defer", "execute", "", "word_count", "current_address", "break_")
+BREAKER = ("flag", "breaking", "word", "left")
+_REGISTERS = ("inst_field", "data_field", "inst_buffer", "saved_inst", "saved_data", "inhibit", "field")
+SEEN_RACK = {
+    **{f"processor.extension.{name}": name for name in _REGISTERS},
+    "panel.ema": "ema",
+    **{f"devices.{device - 2}.{name}": f"breaker{device}.{name}" for device in (0, 1) for name in BREAKER},
+}
+"""The breakers are the last of the machine's devices."""
+
+
+def seen_of(situation: Situation) -> dict[str, str]:
+    """Return what is compared of a machine with what the situation fits."""
+    return SEEN | (SEEN_FAST if situation.fast else {}) | (SEEN_RACK if situation.memory else {})
+
+
+def breakers(form: str) -> list[Any]:
+    """Return the two devices with data breaks, in a form of the machine."""
+    names = [f"pdp8.computer.hardware.{name}" for name in ("bus", "fields", "signals")]
+    source = Path(__file__).with_name("breaker.py")
+    there: dict[str, Any] = {"__name__": "breaker"}
+    with patch.dict(sys.modules, {name: module(form, name) for name in names}):
+        exec(compile(source.read_text(), source, "exec"), there)
+    return [there["Breaker"](), there["Nearer"]()]
 
 
 class Side:
@@ -86,17 +110,28 @@ class InPython(Side):
     def __init__(self, form: str, situation: Situation) -> None:
         super().__init__()
         self.module = partial(module, form)
-        self.machine = self.module("pdp8.computer.machine").Machine()
+        self.form, self.rack = form, situation.memory > 0
+        self.machine = self.module("pdp8.computer.machine").Machine(memory=situation.memory or 4096)
         if situation.fast:
             self.machine.fit(self.machine.highspeed)
+        for device in breakers(form) if self.rack else ():
+            self.machine.fit(device)
         self.machine.load(situation.words)
-        self.paths = list(seen_of(situation.fast))
+        self.paths = list(seen_of(situation))
         self.count_delays = True
         self.count: Any = None
         self.history: Any = None
 
     def call(self, path: str, *values: Any) -> None:
         attrgetter(path)(self.machine)(*values)
+
+    def seen_at(self, path: str) -> Any:
+        """Return what is seen at a path, in which numbers are places of lists."""
+        first, *names = path.split(".")
+        value = getattr(self.machine, first)
+        for name in names:
+            value = value[int(name)] if name in ("-1", "-2") else getattr(value, name)
+        return _plain(value)
 
     def set(self, path: str, value: Any) -> None:
         owner, _, name = f"machine.{path}".rpartition(".")
@@ -106,7 +141,8 @@ class InPython(Side):
         self.machine.wait(ticks / TICKS_PER_SECOND)
 
     def deposit_at_pc(self, beyond: int, word: int) -> None:
-        self.machine.core[self.machine.pc + beyond & 0o7777] = word
+        pc = self.machine.pc
+        self.machine.core[pc & 0o70000 | pc + beyond & 0o7777] = word
 
     def delays(self, on: bool) -> None:
         self.count_delays = on
@@ -140,7 +176,7 @@ class InPython(Side):
         """Go on with a copy made from what is saved."""
         state = self.module("pdp8.computer.past.state")
         text = state.save(self.machine)
-        self.machine = state.restore(text)
+        self.machine = state.restore(text, breakers(self.form) if self.rack else [])
         assert state.save(self.machine) == text
 
     def record(self) -> None:
@@ -150,7 +186,7 @@ class InPython(Side):
         self.module("pdp8.computer.past.rewind").instructions(self.history, instructions)
 
     def seen(self) -> Seen:
-        seen = {path: _plain(attrgetter(path)(self.machine)) for path in self.paths}
+        seen = {path: self.seen_at(path) for path in self.paths}
         return seen | _counted(self.count, lambda name: +getattr(self.count, name))
 
 
@@ -170,7 +206,7 @@ class InNode(Side):
     """The machine of the pages, of which Node.js has one at a time."""
 
     def __init__(self, situation: Situation) -> None:
-        paths = [path for path in seen_of(situation.fast) if path != "processor.core"]
+        paths = [path for path in seen_of(situation) if path != "processor.core"]
         _node().ask({"fast": situation.fast, "words": list(situation.words.items()), "paths": paths})
         self._seen: Seen = {}
         self._core = array("H", bytes(2 * 4096))
@@ -217,6 +253,8 @@ class ReferenceSide(Side):
     def __init__(self, situation: Situation) -> None:
         super().__init__()
         self.reference = Reference(situation.fast)
+        self.reference.do("rack", situation.memory or 4096, situation.memory > 0)
+        self.paths = seen_of(situation)
         for address, word in situation.words.items():
             self.reference.core[address] = word
         self.counts: Counts | None = None
@@ -244,17 +282,22 @@ class ReferenceSide(Side):
             m.do("sing_step", value)
             return
         others = {"teletype.punch.on": "punch_on", "highspeed.punch.on": "fast_punch_on"}
+        others |= {f"panel.{name}_field": f"{name}_switch" for name in ("inst", "data")}
+        if path in ("panel.inst_field", "panel.data_field"):
+            value <<= 12
+        if path == "pc":
+            m.do("set_pc", value)
+            return
         setattr(m, others.get(path, path.removeprefix("panel.")), value)
         if path == "ion":
             m.ion_ready = value
-        if path == "pc":
-            m.next = 0
 
     def wait(self, ticks: int) -> None:
         self.reference.do("wait", ticks)
 
     def deposit_at_pc(self, beyond: int, word: int) -> None:
-        self.reference.core[self.reference.pc + beyond & 0o7777] = word
+        m = self.reference
+        m.core[m.inst_field | m.pc + beyond & 0o7777] = word
 
     def _stands(self, key: str = "") -> None:
         """Note a moment that can be gone back to: the last with so many instructions. For START under
@@ -316,12 +359,16 @@ class ReferenceSide(Side):
     def seen(self) -> Seen:
         m = self.reference
         sender, transmitter = m.teletype.sender, m.teletype.transmitter
-        own: Seen = {name: int(m.state == state) for state, name in enumerate(("fetch", "defer", "execute"))}
+        own: Seen = {name: int(m.state == state) for state, name in enumerate(STATES) if name}
+        own |= {"pc": m.inst_field | m.pc, "ema": m.ema >> 12}
+        own["core"] = bytes(m.core)[: 2 * m.size]
+        for number, device in enumerate(m.breaker):
+            own |= {f"breaker{number}.{name}": getattr(device, name) for name in BREAKER}
         own |= {"dark": 0, "register": transmitter.enable << 8 | transmitter.bits}
         own["waiting"] = bytes(sender.keyboard[n % QUEUE] for n in range(sender.keys_sent, sender.keys))
         seen = {
             path: own[theirs] if theirs in own else _plain(attrgetter(theirs)(m))
-            for path, theirs in seen_of(m.fast).items()
+            for path, theirs in self.paths.items()
         }
         return seen | _counted(self.counts, lambda name: self.counts and self.counts.by_address(name))
 

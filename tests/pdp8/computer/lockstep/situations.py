@@ -66,11 +66,14 @@ LOOKS = {path for _, (path, *_) in _LOOKED_AT[1:]}
 
 
 class Situation(NamedTuple):
-    """A machine switched on with `words` in core, with the PC8/L if `fast`, and what is done to it."""
+    """A machine switched on with `words` in core, with the PC8/L if `fast`, and what is done to it; with
+    `memory` words of core and two devices with data breaks, unless that is 0.
+    """
 
     fast: bool
     words: dict[int, int]
     acts: tuple[Act, ...]
+    memory: int = 0
 
 
 def situation(seed: int, longest: int = 100_000) -> Situation:
@@ -82,6 +85,69 @@ def situation(seed: int, longest: int = 100_000) -> Situation:
     if draw.random() < 0.6:
         words |= _service(draw)
     return Situation(draw.random() < 0.5, words, tuple(_acts(draw, base, longest)))
+
+
+def in_the_rack(seed: int, longest: int = 100_000) -> Situation:
+    """Return one with the memory extension, and with two devices that steal cycles."""
+    draw = random.Random(seed)
+    memory = draw.choice((0o20000, 0o20000, 0o100000))
+    base = draw.choice((*BASES, draw.randrange(0o10000)))
+    words: dict[int, int] = {}
+    for field in {0, 0o10000, draw.randrange(0, memory, 0o10000)}:
+        own = draw.choice((_nonsense, _crowded, _crowded, _waiting))(draw, base)
+        for _ in range(draw.randrange(1, 6)):
+            own[base + draw.randrange(12) & 0o7777] = _rack_iot(draw)
+        own |= {cell: draw.choice((0o7776, 0o7700, draw.randrange(0o10000))) for cell in range(0o30, 0o34)}
+        words |= {field | address: word for address, word in own.items()}
+    if draw.random() < 0.6:
+        service = _service(draw)
+        words |= service
+        if draw.random() < 0.7 and len(service) < 8:
+            words |= {len(service) - 2: 0o6244, len(service) - 1: ION, len(service): JMP_I_0}
+    acts: list[Act] = []
+    for act in _acts(draw, base, longest):
+        if acts and acts[-1].name == "run" and draw.random() < 0.5:
+            acts += _rack_hands(draw, base, memory)
+            if act.name == "run":
+                near = frozenset((0o30, 0o31, base, draw.randrange(0, memory, 0o10000) | base))
+                acts.append(Act("watch", (near, draw.random() < 0.5)))
+        acts.append(act)
+    return Situation(draw.random() < 0.3, words, tuple(acts), memory)
+
+
+def _rack_iot(draw: random.Random) -> int:
+    """Return an IOT of the memory extension, or of a device with data breaks."""
+    if draw.random() < 0.6:
+        return (
+            0o6200
+            | draw.choice((0, 0o10, 0o10, draw.randrange(8) << 3))
+            | draw.choice((1, 2, 3, 4, draw.randrange(8)))
+        )
+    return 0o6700 | draw.choice((0, 0o10)) | draw.choice((1, 2, 4, 4, 6))
+
+
+def _rack_hands(draw: random.Random, base: int, memory: int) -> list[Act]:
+    field = draw.randrange(0, memory, 0o10000)
+    near = field | base + draw.randrange(20) & 0o7777
+    key = call(f"panel.{draw.choice(('load_add', 'start', 'cont', 'stop', 'exam', 'dep'))}")
+    switch = put(f"panel.{draw.choice(('inst_field', 'data_field'))}", field >> 12)
+    device = 0o6704 | draw.choice((0, 0o10))
+    return draw.choice(
+        (
+            [call("core.__setitem__", near, draw.choice((any_word(draw), _rack_iot(draw))))],
+            [switch],
+            [STOP, switch, put("sr", base), LOAD_ADD, START],
+            [STOP, switch, LOAD_ADD, key],
+            [put("pc", near)],
+            [call("core.__setitem__", near, device), put("ac", draw.randrange(0o10000)), put("pc", near)],
+            [key],
+            [Act("run_cycles", (draw.choice((1, 1, 2, 3, 5, 9)),))],
+            [SINGLE_CYCLE] * draw.randrange(1, 9),
+            [put("panel.sing_step", True), CONT, CONT, key, put("panel.sing_step", False)],
+            [Act("breakpoints", (frozenset(field | base + draw.randrange(24) & 0o7777 for _ in range(2)),))],
+            [Act("save_and_restore")],
+        )
+    )
 
 
 def _nonsense(draw: random.Random, base: int) -> dict[int, int]:

@@ -3,7 +3,13 @@
 import pytest
 
 from tests.pdp8.computer.lockstep.play import play
-from tests.pdp8.computer.lockstep.situations import Situation, at_the_panel, at_the_teletype, situation
+from tests.pdp8.computer.lockstep.situations import (
+    Situation,
+    at_the_panel,
+    at_the_teletype,
+    in_the_rack,
+    situation,
+)
 from tests.pdp8.web.node import needs_node
 from tests.reference.compiling import compiler
 
@@ -43,3 +49,13 @@ def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) ->
 def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> None:
     for seed in seeds:
         same(form, seed, at_the_panel(seed))
+
+
+@pytest.mark.parametrize(
+    "seeds", [range(30), pytest.param(range(30, 2000), marks=pytest.mark.slow("20 million instructions"))]
+)
+def test_nor_do_fields_and_data_breaks(form: str, seeds: range) -> None:
+    if form == "javascript":
+        pytest.skip("a page has no rack")
+    for seed in seeds:
+        same(form, seed, in_the_rack(seed, LONGEST[form]))

@@ -15,12 +15,13 @@ import pal
 HOUSE = Path(pal.__file__).parents[1]
 COMPILED = (
     *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes", "listing")),
-    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "processor", "teletype")),
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "extension", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )
 FORMS = ("plain", "compiled")
 USED = (
     *("pdp8.computer.machine", "pdp8.computer.count"),
+    *(f"pdp8.computer.hardware.{name}" for name in ("bus", "fields", "signals")),
     *(f"pdp8.computer.past.{name}" for name in ("state", "history", "rewind")),
 )
 """What tests take of both."""

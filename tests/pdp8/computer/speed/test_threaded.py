@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from pdp8.computer.speed.piece import LEFT, WRAP, execute
+from pdp8.computer.speed.piece import LEFT, STRIDE, WRAP, execute
 from release.threaded import translate
 from tests.pdp8.computer.lockstep.situations import any_word
 from tests.pdp8.computer.speed.forms import HOUSE, machine_module
@@ -26,7 +26,7 @@ def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     if shutil.which("gcc") is None:
         pytest.skip("no gcc")
     source = tmp_path_factory.mktemp(request.param) / "piece.c"
-    source.write_text(translate(PIECE).replace("static int execute(", "int execute("))
+    source.write_text(translate(PIECE).replace("static int execute", "int execute"))
     form = ["-U__GNUC__"] if request.param == "switch" else []
     made = source.with_suffix(".so")
     options = ["-O1", "-shared", "-fPIC", "-Wall", "-Werror"]
@@ -43,16 +43,20 @@ def decoded(draw: random.Random) -> "list[array[int]]":
     for address in range(0o10000):
         if draw.random() < 0.95:
             engine._decode(address)
-    return [array("H", words) for words in (engine.core, engine.processor.forms, engine.arg)]
+    fields = (engine.core, engine.processor.forms, engine.arg)
+    return [array("H", words[:STRIDE]) for words in fields]
 
 
-def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None:
+@pytest.mark.parametrize("across", [False, True])
+def test_the_translation_does_what_the_source_does(library: ctypes.CDLL, across: bool) -> None:
     engine = plain_engine()
     keep, flip, plus = tables = [array("H", table) for table in (engine.keep, engine.flip, engine.plus)]
     draw = random.Random(1971)
     tried: set[int] = set()
     for _ in range(8):
-        core, ops, arg = words = decoded(draw)
+        words = decoded(draw)
+        core, ops, arg, *others = words = [*words, *decoded(draw)[:2]] if across else words
+        data, data_ops = others or (core, ops)
         places: dict[int, list[int]] = {}
         for address, operation in enumerate(ops[:0o10000]):
             places.setdefault(operation, []).append(address)
@@ -61,10 +65,14 @@ def test_the_translation_does_what_the_source_does(library: ctypes.CDLL) -> None
             registers = [start, draw.randrange(0o20000), 0]
             translated = array("q", registers)
             wall, limit = draw.choice([0o7600, 0o10000]), draw.choice([0, 1, 5, 100, 6000]) << 26
-            meant = execute(core, ops, arg, keep, flip, plus, engine.conditions, registers, wall, limit)
+            conditions = engine.conditions
+            meant = execute(
+                core, ops, arg, data, data_ops, keep, flip, plus, conditions, registers, wall, limit
+            )
             pointers = [ctypes.c_void_p(each.buffer_info()[0]) for each in (*copies, *tables, translated)]
             limits = ctypes.c_int64(wall), ctypes.c_int64(limit)
-            found = library.execute(*pointers[:6], engine.conditions, pointers[6], *limits)
+            call = library.execute_across if across else library.execute
+            found = call(*pointers[:-1], conditions, pointers[-1], *limits)
             assert (found, list(translated), copies) == (meant, registers, words)
         tried |= places.keys()
     assert tried == {*range(WRAP), LEFT}

@@ -1,0 +1,133 @@
+"""DECtapes between files and the drives of a machine.
+
+A file that was mounted is not written: what the program changed is on the reel in the machine, until it is
+saved in a file of its own. What nobody saved is left beside the file it came from.
+"""
+
+import os
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+
+from pdp8 import shelf
+from pdp8.computer.dectape.tc08 import TC08
+from pdp8.computer.dectape.tu55 import Transport
+from pdp8.computer.hardware.bus import Peripheral
+from pdp8.computer.machine import Machine
+from tapes import dectape
+from tapes.errors import WorkError, naming
+from tapes.quantities import counted
+
+UNITS = range(8)
+BOOT = 0o7613
+_BOOT = (0o6774, 0o1222, 0o6766, 0o6771, 0o5216, 0o1223, 0o5215, 0o0600, 0o0220)
+"""The program that is toggled in to read the first block: OS/8 Handbook."""
+_POINTERS = {0o7754: 0o7577, 0o7755: 0o7577}
+
+
+class Reels:
+    """The reels on the drives of a control, and the files they came from."""
+
+    def __init__(self, drives: Sequence[Transport] = ()) -> None:
+        self.drives = drives
+        self.names: dict[int, str] = {}
+        """The files, by drives."""
+
+    def look_at(self, machine: Machine) -> None:
+        """Turn to the drives of a machine; none where no DECtape is fitted."""
+        self.drives = next((each.drives for each in machine.devices if isinstance(each, TC08)), ())
+        mounted = [unit for unit, drive in enumerate(self.drives) if drive.image is not None]
+        self.names = {unit: self.names.get(unit, f"dt{unit}.tu56") for unit in mounted}
+
+    def images(self) -> list[dectape.Image]:
+        """Return the reels as they were mounted."""
+        return [drive.image for drive in self.drives if drive.image is not None]
+
+    def read(self, unit: int, name: str) -> tuple[dectape.Image, list[str]]:
+        """Return the reel in a file that is to go on a drive, and notes about it. Raises WorkError."""
+        for other, before in self.names.items():
+            if other != unit and shelf.identity(shelf.find(before)) == shelf.identity(shelf.find(name)):
+                raise WorkError(f"{name} is on drive {other}: a reel is on one drive")
+        with naming(name):
+            return dectape.decode(shelf.read(name))
+
+    def mount(self, unit: int, name: str, locked: bool = False) -> list[str]:
+        """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""
+        image, notes = self.read(unit, name)
+        self.drives[unit].mount(image, locked)
+        self.names[unit] = name
+        return notes
+
+    def changed(self, unit: int) -> int:
+        """Return how many blocks of a reel were written since it was mounted or saved."""
+        return len(self.drives[unit].blocks)
+
+    def said(self, unit: int) -> str:
+        """Say how many blocks were written."""
+        return f"drive {unit}: {counted(self.changed(unit), 'blocks')} of {self.names[unit]} were written"
+
+    def save(self, unit: int, name: str) -> str:
+        """Save a reel as it is now; return what to say of it. Raises WorkError, and the reel stays."""
+        reel = self.drives[unit].written()
+        if reel is None:
+            raise WorkError(f"drive {unit}: no tape is mounted")
+        if any(shelf.identity(shelf.find(each)) == shelf.identity(name) for each in self.names.values()):
+            raise WorkError(f"{name} was mounted; name another file")
+        return shelf.told(name, shelf.write(name, reel.content()))
+
+    def unmount(self, unit: int) -> None:
+        """Take the reel off the drive."""
+        self.drives[unit].mount(None)
+        self.names.pop(unit, None)
+
+    def rescue(self) -> Iterator[str]:
+        """Leave each reel that was changed in a file beside its own; yield what to say of it."""
+        for unit, drive in enumerate(self.drives):
+            if drive.blocks:
+                place = _free(self.names[unit])
+                try:
+                    said = self.save(unit, place)
+                except WorkError:
+                    said = self.save(unit, _free(os.path.join(tempfile.gettempdir(), "reel.tu56")))
+                yield f"{self.said(unit)}, and not saved: {said}"
+
+
+def drives(devices: Iterable[Peripheral]) -> list[Transport]:
+    """Return the drives of the DECtape control among `devices`. Raises WorkError if there is none."""
+    for device in devices:
+        if isinstance(device, TC08):
+            return device.drives
+    raise WorkError("no DECtape is fitted")
+
+
+def drive(text: str) -> int:
+    """Return the unit that "0" or "dt0" names. Raises WorkError."""
+    number = text.lower().removeprefix("dt")
+    if number not in [str(unit) for unit in UNITS]:
+        raise WorkError(f"{text}: the drives are dt0 to dt7")
+    return int(number)
+
+
+def assignment(text: str) -> tuple[int, str]:
+    """Return unit and file of "0=FILE". Raises WorkError."""
+    unit, found, name = text.partition("=")
+    if not found or not name:
+        raise WorkError(f"{text}: a drive and a file expected, as in 0=ps8.tu56")
+    return drive(unit), name
+
+
+def boot(machine: Machine, unit: int = 0) -> None:
+    """Put the bootstrap for a drive into core, and START it."""
+    words = {BOOT + at: word for at, word in enumerate(_BOOT)} | _POINTERS
+    for at in (7, 8):
+        words[BOOT + at] |= unit << 9
+    machine.stop()
+    machine.load(words)
+    machine.panel.data_field = 0
+    machine.start(BOOT)
+
+
+def _free(name: str) -> str:
+    """Return a name like that of a file, which no file has."""
+    stem, ending = os.path.splitext(name)
+    numbered = (f"{stem}-changed{'' if number == 1 else f'-{number}'}{ending}" for number in range(1, 1000))
+    return next(each for each in numbered if not os.path.exists(each))

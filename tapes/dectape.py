@@ -1,0 +1,107 @@
+"""DECtape images: what is on a reel of 1474 blocks of 129 words, as files have it.
+
+    .tu56, .dt8   380,292 bytes    129 words a block, each in two bytes, the low one first
+                  377,344 bytes    128 words a block, as some programs keep them; the last word is 0
+
+A file that ends after a whole block is the beginning of a tape, as SIMH takes it: the rest is 0.
+"""
+
+from array import array
+from collections.abc import Iterator
+from functools import cached_property
+from sys import byteorder
+
+from tapes.errors import TapeError
+
+BLOCKS = 1474
+WORDS = 129
+_WIDTHS = (129, 128)
+_OTHERS = {
+    591_872: "a DECtape of 18-bit words, of a PDP-7, 9 or 15",
+    3_325_952: "an RK05 disk; no PDP-8/L had one",
+    6_651_904: "an RK05 disk; no PDP-8/L had one",
+    65_536: "a DF32 disk",
+    131_072: "two DF32 disks",
+    262_144: "four DF32 disks",
+    524_288: "an RF08 disk",
+    256_256: "an RX01 diskette; no PDP-8/L had one",
+}
+
+
+class Image:
+    """The words of a tape, and how its file has them. It does not change."""
+
+    def __init__(self, words: "array[int]", width: int = WORDS) -> None:
+        self.words = words
+        self.width = width
+        """Words a block in its file."""
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of the words, which names the image in a saved state."""
+        import hashlib  # only for who saves a state
+
+        return hashlib.sha256(_bytes(self.words)).hexdigest()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Image) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+    def content(self) -> bytes:
+        """Return the image as a file has it: 128 words a block if it came so and the last words are 0."""
+        width = self.width if not any(self.words[WORDS - 1 :: WORDS]) else WORDS
+        rows = (self.words[at : at + width] for at in range(0, len(self.words), WORDS))
+        return b"".join(_bytes(row) for row in rows)
+
+
+def blank() -> Image:
+    """Return a formatted tape with nothing on it."""
+    return Image(array("H", bytes(2 * BLOCKS * WORDS)))
+
+
+def decode(content: bytes) -> tuple[Image, list[str]]:
+    """Return the image in a file, and notes about it. Raises TapeError for a file that is none."""
+    width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
+    blocks, rest = divmod(len(content), 2 * width)
+    if rest or not 0 < blocks <= BLOCKS or len(content) in _OTHERS:
+        raise TapeError(_no_image(len(content)))
+    words = array("H", bytes(2 * BLOCKS * WORDS))
+    for block in range(blocks):
+        row = array("H", content[2 * width * block : 2 * width * (block + 1)])
+        if byteorder != "little":
+            row.byteswap()
+        for word, found in enumerate(row):
+            if found > 0o7777:
+                raise TapeError(
+                    f"block {block:o}, word {word:o}: {found:o} (octal) is no word of 12 bits: this is no "
+                    "DECtape image of a PDP-8"
+                )
+        words[WORDS * block : WORDS * block + width] = row
+    notes = [] if blocks == BLOCKS else [f"{blocks} of {BLOCKS} blocks; the others are taken as 0"]
+    return Image(words, width), notes
+
+
+def changed_blocks(before: Image, after: Image) -> Iterator[int]:
+    """Yield the numbers of the blocks in which two images differ."""
+    for block in range(BLOCKS):
+        place = slice(WORDS * block, WORDS * (block + 1))
+        if before.words[place] != after.words[place]:
+            yield block
+
+
+def _no_image(length: int) -> str:
+    lengths = " or ".join(f"{2 * BLOCKS * width:,}" for width in _WIDTHS)
+    what = _OTHERS.get(length)
+    said = f"{length:,} bytes: {what}" if what else f"{length:,} bytes"
+    return f"{said}; a DECtape image has {lengths}"
+
+
+def _bytes(words: "array[int]") -> bytes:
+    """Return words, each as two bytes, the low one first."""
+    if byteorder == "little":
+        return words.tobytes()
+    swapped = words[:]
+    swapped.byteswap()
+    return swapped.tobytes()

@@ -1,0 +1,200 @@
+"""The DECtape beside DEC's description of it: registers, flags, words and times, by programs in octal."""
+
+import copy
+import random
+
+import pytest
+
+from pdp8.computer.dectape.tc08 import TC08, turned
+from pdp8.computer.machine import Machine
+from pdp8.computer.past import rewind, state
+from pdp8.computer.past.history import History
+from pdp8.reels import boot
+from tapes.dectape import WORDS
+from tests.pdp8.computer.bench import core
+from tests.pdp8.computer.dectape.reel import machine, reel
+
+MOVE, SEARCH, READ, READ_ALL, WRITE, WRITE_ALL = (0o10 * function for function in range(6))
+GO, BACKWARDS, CONTINUOUS = 0o200, 0o400, 0o100
+COMMAND = "1020 6766 6771 5202 6772 7402"
+"""TAD 20, DTCA DTXA, DTSF, JMP .-1, DTRB, HLT: what A is given, until a flag; status B is in AC then."""
+LINE = 1 / 30_000
+
+
+def command(
+    m: Machine, a: int, count: int = 0, address: int = 0o777, clears: bool = True
+) -> tuple[int, float]:
+    """Let the control do `a`; return status B, and how long it took."""
+    m.load(core(COMMAND if clears else COMMAND.replace("6766", "6764")))
+    m.core[0o20] = a
+    m.core[0o7754], m.core[0o7755] = -count & 0o7777, address
+    m.stop()
+    m.pc, m.ac = 0o200, 0
+    before = m.elapsed
+    assert m.run(10).reason == "halt"
+    return m.ac, m.elapsed - before
+
+
+def at_block(number: int) -> tuple[Machine, TC08]:
+    """Return a machine whose tape goes forward, and has just found a block."""
+    m, control = machine()
+    m.start(0o200)
+    assert command(m, BACKWARDS | GO)[0] == 0o5000  # the end zone
+    assert command(m, GO | SEARCH | CONTINUOUS, number + 1, 0o100)[0] & 0o7707 == 1
+    assert m.core[0o100] == number
+    assert m.core[0o7755] == 0o100  # CA is not counted
+    return m, control
+
+
+@pytest.mark.parametrize("memory", [0o10000, 0o20000, 0o100000])
+def test_our_own_tape_boots(memory: int) -> None:
+    m, _ = machine(memory)
+    boot(m)
+    assert m.run(5).reason == "halt"
+    assert bytes(m.teletype.printer.frames) == b"\317\313"
+    assert m.core[0o7600:0o7754] == list(reel().words[:0o154])
+
+
+def test_words_come_each_after_four_lines_and_the_flag_with_the_checksum() -> None:
+    m, _ = at_block(5)
+    b, time = command(m, SEARCH ^ READ, WORDS, clears=False)  # the tape goes on, and block 5 is read
+    assert b & 0o7707 == 1
+    assert m.core[0o1000:0o1201] == [5] * WORDS
+    assert time == pytest.approx((18 + 4 * 129 + 6) * LINE, abs=20e-6)
+
+
+def test_a_block_is_19_2_milliseconds() -> None:
+    m, _ = at_block(3)
+    for number in (4, 5, 6):
+        b, time = command(m, 0, 1, 0o100, clears=False)  # the flag off, and the next block is found
+        assert (b & 0o7707, m.core[0o100]) == (1, number)
+        assert time == pytest.approx(0.0192, abs=150e-6)
+
+
+def test_backwards_a_word_is_the_complement_of_its_lines_turned() -> None:
+    assert [turned(word) for word in (0, 0o1234, 0o7000)] == [0o7777, 0o3456, 0o7770]
+    m, _ = at_block(5)
+    assert command(m, BACKWARDS | GO | SEARCH | CONTINUOUS, 3, 0o100)[0] & 0o7707 == 1
+    number = m.core[0o100]
+    b, _ = command(m, SEARCH ^ READ, WORDS, clears=False)
+    assert (b & 0o7707, m.core[0o1000]) == (1, turned(number))
+
+
+def test_what_is_written_is_read_and_the_rest_of_the_block_is_zeros() -> None:
+    m, control = at_block(5)
+    m.core[0o1000:0o1004] = [1, 2, 3, 4]
+    assert command(m, SEARCH ^ WRITE, 3, clears=False)[0] & 0o7707 == 1
+    written = control.drives[0].written()
+    assert written is not None
+    block = list(written.words[5 * WORDS : 6 * WORDS])
+    assert block == [1, 2, 3, *[0] * 126]
+    assert list(written.words[6 * WORDS : 7 * WORDS]) == [6] * WORDS
+
+
+def test_power_off_in_a_block_leaves_what_was_written() -> None:
+    m, control = at_block(5)
+    m.core[0o1000:0o1201] = range(0o100, 0o301)
+    m.load(core("1020 6764 5202"))
+    m.core[0o20], m.core[0o7754], m.core[0o7755] = SEARCH ^ WRITE, -WORDS & 0o7777, 0o777
+    m.stop()
+    m.pc, m.ac = 0o200, 0
+    m.run(0.006)
+    block = control.drives[0].blocks[5]
+    on_tape = next(word for word in range(WORDS) if block[word] == 5)
+    assert list(block) == [*range(0o100, 0o100 + on_tape), *[5] * (WORDS - on_tape)]
+    assert 35 < on_tape < 45
+
+
+def test_a_flag_that_stays_up_is_a_timing_error() -> None:
+    m, control = at_block(3)
+    m.load(core("5200"))
+    m.pc = 0o200
+    m.run(0.015)
+    assert control.b & 0o7707 == 1
+    m.run(0.005)  # the next block has begun
+    assert control.b & 0o7707 == 0o4101
+
+
+def test_select_errors() -> None:
+    for a in (GO | 0o1000, GO | 0o60, GO | 0o70):
+        m, _ = machine()
+        m.start(0o200)
+        assert command(m, a)[0] == 0o4400, f"{a:o}"
+    m, control = machine()
+    m.start(0o200)
+    control.drives[0].locked = 1
+    assert command(m, GO | WRITE)[0] == 0o4400
+
+
+def test_stopping_carries_the_tape_further_than_starting_uses_up() -> None:
+    """A handler that stops after a block, and turns twice, comes to one before it."""
+    m, _ = at_block(100)
+    m.load(core("6762 7402"))
+    m.stop()
+    m.pc = 0o200
+    m.run(1)
+    m.wait(1)
+    assert command(m, BACKWARDS | GO | SEARCH, 1, 0o100)[0] & 0o7707 == 1
+    found = m.core[0o100]
+    assert found in (99, 100)
+    assert command(m, GO | SEARCH, 1, 0o100)[0] & 0o7707 == 1
+    assert m.core[0o100] <= found + 1
+
+
+BUSY = "7300 1020 6766 6771 5203 6772 7012 7710 5200 1021 6764 6771 5213 6761 7040 5210"
+"""Back and forth, searching, reading and writing, whatever comes of it."""
+
+
+def some_machine(seed: int) -> tuple[Machine, random.Random]:
+    """Return a machine somewhere in the work of a DECtape."""
+    draw = random.Random(seed)
+    m, _ = machine(draw.choice((0o10000, 0o20000, 0o100000)))
+    m.load(core(f"{draw.choice(('7000', '6001'))} {BUSY} 0/ 0 7300 6772 6001 5400"))
+    m.core[0o20] = GO | draw.choice((MOVE, SEARCH, READ, WRITE, READ_ALL)) | draw.choice((0, CONTINUOUS, 4))
+    m.core[0o21] = draw.choice((BACKWARDS, SEARCH ^ READ, SEARCH ^ WRITE, CONTINUOUS, GO, 4, WRITE_ALL))
+    m.core[0o7754], m.core[0o7755] = draw.randrange(0o10000), draw.randrange(0o1000, 0o7000)
+    m.start(0o200)
+    m.run(draw.choice((0.02, 0.2, 0.4)) * draw.random())
+    if draw.random() < 0.3:
+        m.run(cycles=draw.randrange(20))
+    return m, draw
+
+
+def same_from_here(seed: int) -> None:
+    m, draw = some_machine(seed)
+    fresh = TC08()
+    fresh.drives[0].mount(reel())
+    text = state.save(m)
+    copies = [copy.deepcopy(m), state.restore(text, [fresh])]
+    assert all(state.save(each) == text for each in copies), seed
+    seconds = draw.choice((0.0003, 0.01, 0.2))
+    for each in (m, *copies):
+        each.run(seconds)
+    after = state.save(m)
+    assert all(state.save(each) == after for each in copies), seed
+
+
+def test_states_of_a_tape_in_motion() -> None:
+    for seed in range(12):
+        same_from_here(seed)
+
+
+@pytest.mark.slow("2,000 states")
+def test_two_thousand_states_of_a_tape_in_motion() -> None:
+    for seed in range(12, 2012):
+        same_from_here(seed)
+
+
+def test_back_across_a_written_block() -> None:
+    m, control = at_block(5)
+    m.core[0o1000:0o1201] = range(0o100, 0o301)
+    history = History(m)
+    command(m, SEARCH ^ WRITE, WORDS, clears=False)
+    assert list(control.drives[0].blocks) == [5]
+    number = m.instructions
+    after = state.save(m)
+    m.run(0.5)
+    rewind.instructions(history, m.instructions - number)
+    assert state.save(m) == after
+    rewind.seconds(history, history.seconds)
+    assert control.drives[0].blocks == {}
