@@ -8,7 +8,7 @@ from pdp8 import shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from programs import parts
-from tapes import ascii, eia, octal
+from tapes import ascii, dectape, eia, octal
 
 WORK = """\
 / ECHOES SR, ITS START AND K, THEN THE TAPE IN ITS READER
@@ -122,6 +122,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "overlay.pal": _OVERLAY.encode() + b"$\n",
     "missing.pal": _OVERLAY.encode() + b"\tTAD UNDEF\n$\n",
     "own.py": OWN.encode(),
+    "reel.tu56": dectape.blank().content(),
     "full.pal": ("".join(f"A{number}=1\n" for number in range(500)) + "$\n").encode(),
     "cut.bin": _BIN[:-40],
     "sum.bin": bytes([*_BIN[:_WORD], _BIN[_WORD] ^ 1, *_BIN[_WORD + 1 :]]),
@@ -286,6 +287,9 @@ _VALUES: Final = {
     "--loader": "loader.pal",
     "--dialect": "pal8",
     "--device": "own.py:Own",
+    "--memory": "8k",
+    "--dectape": "0=reel.tu56",
+    "--save-dectape": "0=reel.out",
     "--trace": "trace.out",
     "--annotate": "counts.out",
     "--save": "saved.out",
