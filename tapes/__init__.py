@@ -25,5 +25,6 @@ convert     from one code to another
 text        lines of text
 utf16       text that is no tape
 expression  y = f(x) as a command takes it
+os8         files of OS/8 on a DECtape
 errors      what is raised when the work given is wrong
 """

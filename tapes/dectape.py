@@ -83,6 +83,11 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
     return Image(words, width), notes
 
 
+def is_image(content: bytes) -> bool:
+    """Whether a file is as long as a whole image."""
+    return len(content) in [2 * BLOCKS * width for width in _WIDTHS]
+
+
 def changed_blocks(before: Image, after: Image) -> Iterator[int]:
     """Yield the numbers of the blocks in which two images differ."""
     for block in range(BLOCKS):

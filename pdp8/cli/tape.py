@@ -7,10 +7,25 @@ from typing import Any, TypeVar
 import click
 
 from pdp8 import shelf
+from pdp8.cli.os8 import extract, insert
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import option
-from tapes import codes, cutting, doubts, dump, eia, frames, hydrapoint, measure, picture, redundancy, spelled
+from tapes import (
+    codes,
+    cutting,
+    dectape,
+    doubts,
+    dump,
+    eia,
+    frames,
+    hydrapoint,
+    measure,
+    os8,
+    picture,
+    redundancy,
+    spelled,
+)
 from tapes import convert as conversion
 from tapes import title as eye
 from tapes.code import Characters, Code
@@ -170,7 +185,7 @@ def show(
     paper: str | None,
     cut: str | None,
 ) -> None:
-    """Show a tape as rows of holes, each with its number, its octal and what it says.
+    """Show a tape as rows of holes, each with its number, its octal and what it says; list an OS/8 DECtape.
 
     \b
     Examples:
@@ -183,6 +198,14 @@ def show(
     """
     if last is not None and last < first:
         raise click.UsageError(f"--to {last} lies before --from {first}")
+    if dectape.is_image(content := shelf.read(file)):
+        if svg or cut or first or last is not None or code != _AUTO:
+            raise click.UsageError(
+                f"{file}: a DECtape image, of which the directory is listed; it takes no option"
+            )
+        with naming(file):
+            command.echo(os8.listing(dectape.decode(content)[0]))
+        return
     content = _read(file) if code == _AUTO else shelf.read(file)
     with naming(file):
         _check(first, len(content))
@@ -515,3 +538,7 @@ def _check(first: int, length: int) -> None:
         raise TapeError("empty tape", 0)
     if first >= length:
         raise TapeError(f"the tape has only {length}", first)
+
+
+tape.add_command(extract)
+tape.add_command(insert)

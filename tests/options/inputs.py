@@ -8,7 +8,8 @@ from pdp8 import shelf
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from programs import parts
-from tapes import ascii, dectape, eia, octal
+from tapes import ascii, dectape, eia, octal, os8
+from tests.tapes.test_os8 import empty
 
 WORK = """\
 / ECHOES SR, ITS START AND K, THEN THE TAPE IN ITS READER
@@ -113,6 +114,8 @@ def _saved() -> bytes:
 
 FILES: Final[Mapping[str, bytes]] = {
     "work.pal": WORK.encode(),
+    "w.pa": b"*200\n$\n",
+    "os8.tu56": os8.insert(empty(), "add.pa", os8.from_text("*200")).content(),
     "fast.pal": FAST.encode(),
     "literal.pal": LITERAL.encode(),
     "small.pal": b"*200\n\tcla\n\thlt\n$\n",
@@ -198,6 +201,8 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     ),
     "dis": ("work.bin", "sum.bin", "cut.bin"),
     "tape clean": ("small.eia",),
+    "tape extract": ("os8.tu56 add.pa",),
+    "tape insert": ("os8.tu56 w.pa",),
     "tape cut": ("small.eia",),
     "tape convert": (
         "in.asc --to ascii",
@@ -276,6 +281,8 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
 """What each command is called with besides the options that are tried."""
 
 _VALUES: Final = {
+    "tape extract --as": "words",
+    "tape insert --as": "tape",
     "--out": "out",
     "--start": "201",
     "--sr": "0102",

@@ -1,0 +1,92 @@
+"""`pdp8 tape extract` and `insert`: files of PS/8 and OS/8 on a DECtape image."""
+
+from pathlib import Path
+
+import click
+
+from pdp8 import shelf
+from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Source, Target, output
+from tapes import dectape, os8
+from tapes.errors import WorkError, naming
+
+_FRAMES = "BN"
+_AS = click.Choice(["text", "tape", "words"])
+_as = click.option(
+    "--as",
+    "form",
+    type=_AS,
+    help="The lines of a text, the frames of a BIN tape, or all words, each in two bytes, low one first.  "
+    "[default: tape for .BN, words for .SV and .RL, else text]",
+)
+_image = click.argument("image", type=Source(), metavar="IMAGE.tu56")
+
+
+def _form(name: str, form: str | None) -> str:
+    if form is not None:
+        return form
+    extension = name.upper().partition(".")[2]
+    return "tape" if extension == _FRAMES else "words" if extension in ("SV", "RL") else "text"
+
+
+def _reel(name: str) -> dectape.Image:
+    """Return the DECtape in a file."""
+    with naming(name):
+        found, notes = dectape.decode(shelf.read(name))
+    command.say_of(name, notes)
+    return found
+
+
+@click.command()
+@_image
+@click.argument("name")
+@_as
+@output(Target("file"))
+def extract(*, image: str, name: str, form: str | None, output: str) -> None:
+    """Copy a file from a DECtape of PS/8 or OS/8. `pdp8 tape show IMAGE` lists them.
+
+    \b
+    Examples:
+      pdp8 tape extract os8.tu56 CIRCLE.FT -o circle.ft
+      pdp8 tape extract os8.tu56 PROG.BN | pdp8 dis -
+    """
+    reel = _reel(image)
+    with naming(image):
+        words = os8.words(reel, name)
+    kind = _form(name, form)
+    if kind == "words":
+        command.put(output, b"".join(word.to_bytes(2, "little") for word in words))
+    else:
+        command.put(output, os8.frames(words) if kind == "tape" else os8.text(words).encode())
+
+
+@click.command()
+@_image
+@click.argument("files", type=Source(), nargs=-1, required=True)
+@_as
+@output(Target("DECtape image"))
+def insert(*, image: str, files: tuple[str, ...], form: str | None, output: str) -> None:
+    """Copy files to a DECtape of PS/8 or OS/8, each under its own name, into a new image.
+
+    \b
+    Examples:
+      pdp8 tape insert ps8.tu56 CIRCLE.FT -o with-circle.tu56
+    """
+    reel = _reel(image)
+    for file in files:
+        name, content = Path(file).name, shelf.read(file)
+        with naming(file):
+            reel = os8.insert(reel, name, _packed(content, _form(name, form)))
+    command.put(output, reel.content())
+
+
+def _packed(content: bytes, kind: str) -> list[int]:
+    """Return the words of a file to insert."""
+    if kind == "tape":
+        return os8.pack(content)
+    if kind == "text":
+        return os8.from_text(content.decode("utf-8", "surrogateescape"))
+    words = [int.from_bytes(content[at : at + 2], "little") for at in range(0, len(content), 2)]
+    if len(content) % 2 or any(word > 0o7777 for word in words):
+        raise WorkError("these are no words of 12 bits, each in two bytes, the low one first")
+    return words

@@ -1,0 +1,114 @@
+"""Files of OS/8 on a DECtape: a small tape of our own; images of DEC's where PDP8_OS8 names a folder."""
+
+import os
+import random
+import string
+from array import array
+from pathlib import Path
+
+import pytest
+
+from tapes import dectape, os8
+from tapes.errors import TapeError
+from tests.conftest import Call
+
+BLOCK = 0o7
+FREE = 737 - BLOCK
+SOURCE = "*200\n\tCLA CLL\n\tHLT\n$\n"
+
+
+def formatted(*segment: int) -> dectape.Image:
+    """Return a tape with one segment of a directory, by its words."""
+    words = array("H", bytes(2 * dectape.BLOCKS * dectape.WORDS))
+    words[2 * dectape.WORDS : 2 * dectape.WORDS + len(segment)] = array(
+        "H", [word & 0o7777 for word in segment]
+    )
+    return dectape.Image(words)
+
+
+def empty() -> dectape.Image:
+    return formatted(-1, BLOCK, 0, 0, -1, 0, -FREE)
+
+
+def test_a_text_is_packed_three_characters_in_two_words() -> None:
+    """A B C of mark parity: 0301 0302 0303 are 6301 1702, after them CR LF ^Z."""
+    packed = os8.from_text("ABC\n")
+    assert [f"{word:04o}" for word in packed[:4]] == ["6301", "1702", "4615", "5212"]
+    assert os8.text(packed) == "ABC\n"
+
+
+def test_two_hundred_files_are_there_as_they_were_put() -> None:
+    """In six segments of the directory, until the last one is full."""
+    draw = random.Random(8)
+    image, kept = empty(), dict[str, str]()
+    for number in range(200):
+        name = f"F{number}.{draw.choice(('PA', 'FT', 'TX', ''))}".removesuffix(".")
+        lines = "".join(draw.choices(string.printable[:95] + "\n", k=draw.randrange(1_500))) + "\n"
+        image = os8.insert(image, name, os8.from_text(lines), draw.randrange(4096))
+        kept[name] = lines
+        some = draw.sample([*kept], min(3, len(kept)))
+        assert [os8.text(os8.words(image, each)) for each in some] == [kept[each] for each in some]
+    assert [each.name for each in os8.directory(image)] == [*kept, ""]
+    assert sum(each.length for each in os8.directory(image)) == FREE
+
+
+def test_a_full_directory_and_a_full_tape_are_refused() -> None:
+    image = empty()
+    with pytest.raises(TapeError, match="needs 731 blocks; the largest free place has 730"):
+        os8.insert(image, "LARGE", [0] * (731 * 256))
+    said = ""
+    for number in range(300):
+        try:
+            image = os8.insert(image, f"F{number}", [0])
+        except TapeError as error:
+            said = str(error)
+            break
+    assert said == "segment 6 of the directory is full: squeeze the tape with PIP /S"
+    assert len(os8.directory(image)) > 240
+
+
+@pytest.mark.parametrize(
+    ("image", "said"),
+    [
+        (dectape.blank(), "no OS/8 directory: segment 1 of the directory has 0 entries from block 0 on"),
+        (formatted(-1, BLOCK, 7, 0, -1, 0, -FREE), "the next segment is 7; 1 to 6 are allowed, each once"),
+        (formatted(-1, BLOCK, 1, 0, -1, 0, -FREE), "the next segment is 1"),
+        (formatted(-1, BLOCK, 0, 0, -1, 0, -FREE - 1), "entry 1, a free place of 731 blocks from block 7 on"),
+        (formatted(-1, BLOCK, 0, 0, -1, 0o4141, 0, 0, 0, 0, -1), r"entry 1, \.|entry 1, !!"),
+        (formatted(-126, BLOCK, 0, 0, -1), "has 126 entries|is damaged"),
+    ],
+)
+def test_a_damaged_directory_is_named(image: dectape.Image, said: str) -> None:
+    with pytest.raises(TapeError, match=said):
+        os8.directory(image)
+
+
+@pytest.mark.parametrize("name", ["", "1A", "SEVENTH", "A.BCD", "A-B", "A.B.C"])
+def test_what_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(TapeError, match="is no OS/8 name"):
+        os8.insert(empty(), name, [0])
+    assert os8.canonical("sixltr.p8") == "SIXLTR.P8"
+
+
+def test_a_file_goes_onto_an_image_and_comes_back_by_the_commands(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "os8.tu56").write_bytes(empty().content())
+    (tmp_path / "add.pa").write_text(SOURCE)
+    assert call("pdp8 tape insert os8.tu56 add.pa -o with.tu56")[0] == 0
+    assert "ADD.PA       1  0007" in call("pdp8 tape show with.tu56")[1]
+    assert call("pdp8 tape extract with.tu56 add.pa")[1] == SOURCE
+    status, _, said = call("pdp8 tape extract with.tu56 none.pa")
+    assert (status, "no file NONE.PA; the directory has ADD.PA" in said) == (1, True)
+    assert call("pdp8 tape insert with.tu56 add.pa -o again.tu56")[0] == 1
+    assert not (tmp_path / "again.tu56").exists()
+
+
+@pytest.mark.skipif("PDP8_OS8" not in os.environ, reason="PDP8_OS8 names no folder with images of OS/8")
+def test_every_file_of_public_images_is_within_its_tape() -> None:
+    images = [*Path(os.environ["PDP8_OS8"]).glob("*.tu56")]
+    for file in images:
+        image, _ = dectape.decode(file.read_bytes())
+        entries = os8.directory(image)
+        assert sum(each.length for each in entries) + entries[0].block == 737
+        for each in entries:
+            if each.name:
+                assert len(os8.words(image, each.name)) == 256 * each.length
