@@ -1,13 +1,13 @@
 """Dumps as other tools write them; od, xxd and hexdump are what judges."""
 
 import shutil
-import subprocess
 
 import pytest
 
 from pdp8 import shelf
 from tapes import dump
 from tapes.errors import TextError
+from tests import commands
 
 FRAMES = shelf.read("circle.eia")[:333] + bytes(range(256))
 COMMANDS = [
@@ -21,7 +21,9 @@ COMMANDS = [
 def test_what_other_tools_write(command: str) -> None:
     if not shutil.which(command.partition(" ")[0]):
         pytest.skip(f"{command} is not installed")
-    written = subprocess.run(command.split(), input=FRAMES, capture_output=True, check=True).stdout
+    done = commands.run(*command.split(), stdin=FRAMES)
+    written = done.stdout
+    assert done.returncode == 0, done.stderr
     found = dump.found(written)
     assert found
     assert found.frames == FRAMES
