@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.sampling import some
 from tests.tapes.damage import survey
 
 
@@ -16,6 +17,6 @@ def test_some_tapes() -> None:
     _judge(80, 60)
 
 
-@pytest.mark.slow("2,000 tapes")
-def test_two_thousand_tapes() -> None:
-    _judge(2000, 61)
+@pytest.mark.slow("2,000 tapes by WHOLE=1")
+def test_many_tapes() -> None:
+    _judge(some(2000), 61)

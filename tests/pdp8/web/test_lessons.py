@@ -10,6 +10,7 @@ from pdp8.lessons.answer import assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.page import body
 from tests.pdp8.web.node import called, needs_node
+from tests.sampling import some
 
 
 def _answers(exercise: Exercise) -> list[str]:
@@ -92,12 +93,12 @@ def _odd(draw: random.Random, source: str) -> str:
 
 
 @needs_node
-@pytest.mark.slow("marks a thousand answers, twice")
+@pytest.mark.slow("marks a thousand answers twice by WHOLE=1")
 def test_odd_characters_and_line_ends_have_the_same_marks() -> None:
     draw = random.Random(53)
     wholes = [form.read(name) for name in form.bundled()]
     exercises = [(each, student.whole(each)) for each in wholes]
-    answers = [(*draw.choice(exercises),) for _ in range(1000)]
+    answers = [(*draw.choice(exercises),) for _ in range(some(1000))]
     sources = [_odd(draw, exercise.solution) for exercise, _ in answers]
     asked = zip(answers, sources, strict=True)
     there = called(
