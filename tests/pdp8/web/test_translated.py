@@ -7,13 +7,20 @@ from typing import Any
 import pal
 from nc import machine
 from pdp8 import shelf
-from tapes import codes, measure
+from tapes import codes
 from tests.pal.random_pal8 import PAL8, faulty, written
 from tests.pdp8.web.node import HOUSE, called, in_node, needs_node, plain
 
 pytestmark = needs_node
 
 _MADE = "tape words listing lines symbols stopped"
+_READ = """async (tapes) => {
+  const { recognise } = await import("@/tapes/codes.mjs");
+  return tapes.map((tape) => {
+    const code = recognise(tape);
+    return [code.name, code.captions(tape), code.labels(tape)];
+  });
+}"""
 _ASSEMBLE = """async ([made, sources]) => {
   const { assemble } = await import("@/pal/assembling.mjs");
   return sources.map(([dialect, ...tapes]) => {
@@ -80,13 +87,16 @@ def _here(call: Callable[[bytes], Any], tape: bytes) -> Any:
 
 
 def test_tapes_and_the_milling_machine() -> None:
-    """The bundled tapes, whole and damaged: what is said of each, start, every move, every refusal."""
+    """The bundled tapes, whole and damaged: code, captions and labels; start, every move, every refusal."""
     draw = random.Random(7)
     tapes = [shelf.read_bundled(name) for name in ("circle.asc", "circle.eia", "ellipse.eia", "eia.bin")]
     tapes += [
         _spoiled(draw, tape[: draw.choice((300, 3000, len(tape)))]) for tape in tapes for _ in range(12)
     ]
-    calls = [(each, tape) for each in (measure.report, codes.start, machine.cut) for tape in tapes]
+    calls = [(each, tape) for each in (codes.start, machine.cut) for tape in tapes]
     there = called(*((each.__module__.replace(".", "/"), each.__name__, tape) for each, tape in calls))
     for (call, tape), found in zip(calls, there, strict=True):
         assert found == _here(call, tape), (call.__name__, tape[:60])
+    for tape, read in zip(tapes, in_node(_READ, tapes), strict=True):
+        code = codes.recognise(tape)
+        assert read == plain([code.name, code.captions(tape), code.labels(tape)]), tape[:60]
