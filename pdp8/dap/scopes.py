@@ -196,7 +196,7 @@ def _value_of(monitor: Monitor, expression: str) -> Body:
 
 
 def _register(machine: Machine, name: str) -> str:
-    return f"{getattr(machine, name):0{len(f'{hands.REGISTERS[name]:o}')}o}"
+    return f"{getattr(machine, name):0{len(f'{hands.greatest(machine, name):o}')}o}"
 
 
 def _variables(monitor: Monitor, number: int) -> Iterator[Body]:

@@ -7,6 +7,7 @@ from itertools import cycle as cycle_of
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
 from pdp8.computer.hardware.extension import FIELD, MEMORY
+from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
@@ -15,11 +16,11 @@ from pdp8.monitor.arguments import MonitorError, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
 REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o77777, "ma": 0o77777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
-"""Each register with its greatest value."""
+"""Each register with its greatest value, that of an address in 32K of core."""
 SWITCHES = ("mem_prot", "sing_step")
 FIELDS = ("inst_field", "data_field")
 """The panel's switches for fields."""
-NAMES = " ".join((*REGISTERS, *SWITCHES, *FIELDS, "hands"))
+NAMES = " ".join((*REGISTERS, *SWITCHES, *FIELDS, "hands", "cpu"))
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
 _LACKS = {
@@ -77,8 +78,7 @@ def set_(monitor: Monitor, name: str, value: str) -> None:
     name = register(name)
     if name in REGISTERS:
         word = monitor.address(value)
-        most = min(REGISTERS[name], monitor.machine.memory - 1)
-        setattr(monitor.machine, name, octal(f"{word:o}", most))
+        setattr(monitor.machine, name, octal(f"{word:o}", greatest(monitor.machine, name)))
     elif name in SWITCHES:
         if value.lower() not in _POSITIONS:
             raise MonitorError(f"{value}: {name} is 0 or 1, off or on")
@@ -107,6 +107,11 @@ def set_core(monitor: Monitor, size: str) -> None:
     if memory == FIELD:
         saved.pop("extension", None)
     monitor.turn_to(json.dumps(saved))
+
+
+def greatest(machine: Machine, name: str) -> int:
+    """Return the greatest value of a register in this machine's core."""
+    return min(REGISTERS[name], machine.memory - 1)
 
 
 def register(name: str) -> str:

@@ -4,6 +4,7 @@ from pal import isa
 
 NUMBERS = """
 AND 0 TAD 1 ISZ 2 DCA 3 JMS 4 JMP 5 IOT 6 OPR 7  FETCH 0 DEFER 1 EXECUTE 2
+NO_STATE 3 WORD_COUNT 4 CURRENT_ADDRESS 5 BREAK 6
 CLA 200 CLL 100 CMA 40 CML 20 RAR 10 RAL 4 TWICE 2 IAC 1
 GROUP_2 400 GROUP_3 401 SMA 100 SZA 40 SNL 20 REVERSED 10 OSR 4 HLT 2
 """
@@ -20,7 +21,7 @@ ADDRESSES = {
 def test_names_stand_for_the_books_numbers() -> None:
     names, numbers = NUMBERS.split()[::2], NUMBERS.split()[1::2]
     assert [f"{getattr(isa, name):o}" for name in names] == numbers
-    assert [*isa.OPERATIONS, *isa.STATES] == [*names[:11], "no state"]
+    assert [*isa.OPERATIONS, *isa.STATES] == [*names[:11], "no state", "WORD COUNT", "CURR ADDR", "BREAK"]
 
 
 def test_the_address_is_on_page_zero_or_on_the_page_of_the_instruction() -> None:

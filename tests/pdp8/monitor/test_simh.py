@@ -8,7 +8,7 @@ import pytest
 from pdp8 import shelf
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
-from tapes import binary, rim
+from tapes import binary, dectape, rim
 from tests.pdp8.monitor import do
 
 TABLE = (Path(__file__).parents[3] / "docs" / "simh.md").read_text("utf-8").partition("|---")[2]
@@ -27,6 +27,7 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "tape").write_bytes(b"ABC")
     (tmp_path / "script").write_text("echo one\ndeposit 300 1\n")
     (tmp_path / "bin.rim").write_bytes(rim.encode(shelf.bundled_program("bin.pal").words))
+    (tmp_path / "ps8.tu56").write_bytes((0o7402).to_bytes(2, "little") * dectape.BLOCKS * dectape.WORDS)
     (tmp_path / "echo.pal").write_text(ECHO)
 
 
@@ -77,7 +78,6 @@ def test_a_line_of_the_table(row: list[str]) -> None:
     [
         ("e MQ", "no EAE"),
         ("e if", "4K of core"),
-        ("set cpu 8k", "4K of core"),
         ("set rf enabled", "an RF08 disk"),
         ("attach rk0 os8.rk05", "an RK8 disk"),
         ("dump core.bin", "punch 0-7577"),

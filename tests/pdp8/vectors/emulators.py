@@ -7,7 +7,8 @@ from tests.reference.model import KEYS, NEVER, Reference
 
 FRAME = 2_000_000
 LAMPS = ("ma", "mb", "link", "ac", "ir", "ion", "protect", "run")
-STATES = ("FETCH", "DEFER", "EXECUTE")
+STATES = ("FETCH", "DEFER", "EXECUTE", "", "WORD COUNT", "CURR ADDR", "BREAK", "")
+"""As pdp8l.h numbers them; no lamp is lit before an interrupt and after a key."""
 REGISTERS = ("pc", "ac", "link", "sr", "ion", "mem_prot", "run", "protect")
 
 
@@ -43,7 +44,7 @@ class ReferenceEmulator:
             m.run_to(NEVER, m.instructions + 1_000_000)
         if not m.run:
             m.do("wait", FRAME)
-        return {name: getattr(m, name) for name in LAMPS} | {"state": (*STATES, "", "")[m.state]}
+        return {name: getattr(m, name) for name in LAMPS} | {"state": STATES[m.state]}
 
     def cycle(self) -> list[Any]:
         self.m.do("cycle")
