@@ -119,7 +119,7 @@ dist: .venv/bin/pip ## build the sdist and the wheels, install and try each, in 
 	$(BIN)/python release/dist.py
 
 # The compiled form of these sits beside its source and would hide what is changed there.
-COMPILED := $(wildcard pal/*.pxd pdp8/computer/*/*.pxd)
+COMPILED := $(wildcard pal/*.pxd pal/*/*.pxd pdp8/computer/*/*.pxd)
 
 BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED:.pxd=.py)
 
@@ -161,4 +161,4 @@ endef
 
 .PHONY: clean
 clean: ## remove what was made
-	rm -rf .venv demo figures build dist *.egg-info pal/*.so pdp8/computer/*/*.so
+	rm -rf .venv demo figures build dist *.egg-info pal/*.so pal/*/*.so pdp8/computer/*/*.so
