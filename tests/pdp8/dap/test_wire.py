@@ -129,13 +129,13 @@ def test_what_has_no_word_of_core_is_not_watched(tmp_path: Path) -> None:
 
 
 def test_every_request_is_answered(tmp_path: Path) -> None:
-    (tmp_path / "far.pal").write_text("*200\n\tJMP 400\n$\n")
+    (tmp_path / "far.pal").write_text("*200\n\tJMP FAR\n$\n")
     (tmp_path / "halt.pal").write_text("*200\nSTART,\tHLT\n$\n")
     asked = [
         ("next", {}, "launch comes first"),
         ("launch", {}, "the name of a PAL source or of a tape"),
         ("launch", {"program": "-"}, "standard input and output"),
-        ("launch", {"program": "far.pal"}, "far.pal:2:2: error: IR"),
+        ("launch", {"program": "far.pal"}, "far.pal:2:6: error: UA"),
         ("launch", {"program": "halt.pal", "reader": 3}, "a text or a list of texts expected, not 3"),
         ("launch", {"program": "halt.pal", "start": "NIX"}, "NIX: neither an octal number nor a symbol"),
         ("launch", {"program": "halt.pal"}, ""),
