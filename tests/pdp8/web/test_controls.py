@@ -107,7 +107,10 @@ CONTROLS = {
     "[data-click='teletype.key']": Control(SENT),
     "#in-words": Control("workbench.switches.panel.speaking"),
     ".enlarge": Control(of("main", "className"), ALL),
-    ".skip": Control("location.hash", f"{ALL} location.hash = ''; document.querySelector('.skip').focus();"),
+    ".skip": Control(
+        "location.hash",
+        f"{ALL} history.replaceState(null, '', '#workbench'); document.querySelector('.skip').focus();",
+    ),
     "#sound": Control("workbench.sound.on", keys="Space"),
     "#lever": Control(f"{TTY}.reader.on"),
     "#shelf": Control(f"{TTY}.reader.tape.length", f"{TTY}.reader.remove();", "c"),

@@ -52,7 +52,8 @@ _SHOWN = """() => {
       [row.dataset.register, row.querySelector("input")?.value ?? row.lastElementChild.textContent])),
     line: [document.querySelectorAll("#gutter [aria-current]").length,
       ...[...document.querySelectorAll("#gutter .now button, #gutter .now b")].map((each) => each.innerText)],
-    state: Object.fromEntries(workbench.machine.values().items().map(([name, value]) => [name, plain(value)])
+    state: Object.fromEntries([...workbench.machine.values().items()]
+      .map(([name, value]) => [name, plain(value)])
       .filter(([name]) => !name.startsWith("waiting"))),
   };
 }"""
