@@ -128,7 +128,8 @@ def _read_from(frames: bytes, start: int) -> Reading:
                 damage = None
                 labels += [range(after, len(frames))] * (after < len(frames))
                 break
-            if not frames[end:-1].strip(_AT_THE_END):
+            torn = frames[-1] != LEADER  # a last frame of anything; a trailer has no blank tape before it
+            if torn and not frames[end:-1].strip(_AT_THE_END):
                 damage = None
                 break
             if after > at and frames[after] >> 6 == 1:

@@ -6,7 +6,7 @@ import click
 
 from pdp8 import shelf
 from pdp8.cli.shared import command
-from pdp8.cli.shared.arguments import Source, Target, output
+from pdp8.cli.shared.arguments import Command, Source, Target, output
 from tapes import dectape, os8
 from tapes.errors import WorkError, naming
 
@@ -37,7 +37,7 @@ def _reel(name: str) -> dectape.Image:
     return found
 
 
-@click.command()
+@click.command(cls=Command)
 @_image
 @click.argument("name")
 @_as
@@ -60,7 +60,7 @@ def extract(*, image: str, name: str, form: str | None, output: str) -> None:
         command.put(output, os8.frames(words) if kind == "tape" else os8.text(words).encode())
 
 
-@click.command()
+@click.command(cls=Command)
 @_image
 @click.argument("files", type=Source(), nargs=-1, required=True)
 @_as

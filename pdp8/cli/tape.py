@@ -411,7 +411,7 @@ def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None
     show_default=True,
     help="Blank frames before and after.",
 )
-@click.option("--title", metavar="TEXT", default="", help="Punch a title for the eye before it.")
+@click.option("--title", metavar="TITLE", default="", help="Punch a title for the eye before it.")
 @click.option(
     "--drop-spaces/--keep-spaces",
     default=None,

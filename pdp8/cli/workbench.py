@@ -13,7 +13,10 @@ from tapes.errors import called
 @click.command(cls=Command)
 @click.option("--tape", type=Source(), help="Open it with this EIA tape at the Hydra-Point.")
 @click.option(
-    "--url", default="", help="The page's public address, with which the links that it gives begin."
+    "--url",
+    metavar="URL",
+    default="",
+    help="The page's public address, with which the links that it gives begin.",
 )
 @output(Target("HTML"), "PAGE", "pdp8.html", "The page.", show_default=True)
 def workbench(tape: str | None, url: str, output: str) -> None:

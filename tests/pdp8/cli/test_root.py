@@ -63,7 +63,7 @@ def examples(context: click.Context) -> list[str]:
 
 def calls(example: str) -> Iterator[list[str]]:
     """Yield the words of each of our commands in a line for a shell, without what is redirected."""
-    for piece in example.partition(" # ")[0].split(" | "):
+    for piece in re.split(r" \| |; ", example.partition(" # ")[0]):
         words = shlex.split(re.sub(r" [<>] \S+", "", piece))
         if words[0] in ("pdp8", "pal"):
             yield words[1:] if words[0] == "pdp8" else words

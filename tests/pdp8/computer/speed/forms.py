@@ -14,7 +14,9 @@ import pal
 
 HOUSE = Path(pal.__file__).parents[1]
 COMPILED = (
-    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "pal8", "notes", "listing")),
+    *(f"pal.{name}" for name in ("isa", "source", "table", "assembler", "notes", "listing")),
+    *(f"pal.pal8.{name}" for name in ("expressions", "operators", "log", "lexer", "output")),
+    *(f"pal.pal8.{name}" for name in ("table", "literals", "assembler")),
     *(f"pdp8.computer.hardware.{name}" for name in ("bus", "extension", "processor", "teletype")),
     *(f"pdp8.computer.speed.{name}" for name in ("waiting", "engine")),
 )

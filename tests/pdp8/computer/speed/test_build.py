@@ -18,6 +18,6 @@ def test_no_extension_hides_a_newer_source(name: str) -> None:
 
 
 def test_whatever_has_types_beside_it_is_compiled() -> None:
-    typed = [*HOUSE.glob("pal/*.pxd"), *HOUSE.glob("pdp8/**/*.pxd")]
+    typed = [*HOUSE.glob("pal/**/*.pxd"), *HOUSE.glob("pdp8/**/*.pxd")]
     names = {".".join(path.relative_to(HOUSE).with_suffix("").parts) for path in typed}
     assert names == {*COMPILED, "pdp8.computer.speed.piece"}  # translated, and compiled with the engine
