@@ -41,7 +41,7 @@ async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pil
     assert_shows(room, "rim toggled in, 100x30")
     await press(pilot, "p p p o enter 7 7 5 6 l s")
     turn(room, 0.5)
-    assert room.session.said.startswith("out of tape")
+    assert room.session.said.startswith("the reader ran out of tape")
     await press(pilot, "t")
     assert machine.core[0o7777] == 0o5301  # JMP 7701, as BIN puts it there
     await press(pilot, "o down enter 7 7 7 7 l s")
@@ -51,7 +51,7 @@ async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pil
     await press(pilot, "o down down enter 0 2 0 0 l s")
     for _ in range(4):
         room.turn(0.5)
-    assert room.session.said.startswith("out of tape")
+    assert room.session.said.startswith("the reader ran out of tape")
     eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
     assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
 
