@@ -445,6 +445,10 @@ HIDDEN: Final = {
     "part polynomial --arithmetic": "few curves show how it rounds: --b 2.1 does, for cdc6400",
     "check --prove --seed": "draws other cases, which the solution does as well",
     "check --cpu": "bounds an answer that is not done: tests/pdp8/lessons/test_bounded.py",
+    "nc export --tolerance": "an export judges nothing; it belongs to `nc inspect`, and should be refused",
+    "nc export --profile": "only a DXF has the nominal curve, and these tapes have no closed profile",
+    "tape convert --accept": "needs a tape with a doubtful frame: tests/tapes/test_damage.py",
+    "tape clean --accept": "the same",
     "tape read": "photographs take seconds each: tests/tapes/photograph",
     "vectors": "80 MB: tests/pdp8/vectors",
 }
