@@ -72,7 +72,11 @@ _mend = option(
 
 def _read(file: str) -> bytes:
     """Return the frames of a tape, or those that a dump spells, which is said."""
-    content = shelf.read(file)
+    return _unspelled(file, shelf.read(file))
+
+
+def _unspelled(file: str, content: bytes) -> bytes:
+    """Return the frames that a dump spells, or what is no dump as it is."""
     words = spelled.found(content)
     if content.startswith(b"{"):
         return _core_of_state(file, content)
@@ -206,7 +210,8 @@ def show(
         with naming(file):
             command.echo(os8.listing(dectape.decode(content)[0]))
         return
-    content = _read(file) if code == _AUTO else shelf.read(file)
+    if code == _AUTO:
+        content = _unspelled(file, content)
     with naming(file):
         _check(first, len(content))
     stop = None if last is None else last + 1
