@@ -273,7 +273,7 @@ def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> No
         tab.run(f"document.querySelectorAll({focus})[{0 if control.focus else which}].focus()")
     else:
         tab.point(selector + control.within, which, way)
-    if way == "keyboard" or tab.run(f'return {first}.matches("{_FIELDS}")'):
+    if way == "keyboard" or tab.run(f'return !!{first}?.matches("{_FIELDS}")'):  # it may be gone
         for keys in control.keys.split():
             tab.press(keys)
         if way != "keyboard" and tab.run(f"return {first}.matches('select')"):
