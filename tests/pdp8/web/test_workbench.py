@@ -204,12 +204,12 @@ def test_a_wait_names_what_is_waited_for(page: Page) -> None:
     """And offers what ends it: for the high-speed reader its list of tapes."""
     _load(page, "*200\n\t6011\n\tJMP .-1\n\tHLT\n$\n")
     click(page, "[data-key=start]")
-    _says(page, "It waits for a frame from the high-speed reader, which has no tape.")
+    _says(page, "It waits for a frame from the high-speed reader at 0200")
     click(page, "#next button >> nth=0")
     assert page.evaluate("document.activeElement.id") == "pc8-shelf"
     _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
     click(page, "[data-key=start]")
-    _says(page, "It waits for a character from the keyboard or the reader.")
+    _says(page, "It waits for a key, or a tape in the reader, at 0200")
     assert page.locator("#next button").all_inner_texts() == ["Type a character", "Choose a tape", "STOP"]
 
 
