@@ -188,7 +188,7 @@ def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     if dumped is None:
         return program.read(content, name, force, dialect)
     found = program.read(dumped.frames, name, force, dialect)
-    found.notes = (f"a dump in {dumped.notation}, read as {len(dumped.frames):,} frames", *found.notes)
+    found.notes = (dumped.note, *found.notes)
     return found
 
 

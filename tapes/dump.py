@@ -29,6 +29,11 @@ class Dump(NamedTuple):
     notation: str
     frames: bytes
 
+    @property
+    def note(self) -> str:
+        """What there is to say of such a file."""
+        return f"a dump in {self.notation}, read as {len(self.frames):,} frames"
+
 
 def read(text: str) -> Dump:
     """Return the frames of a dump. Raises TextError with line and column for what is none."""

@@ -77,16 +77,16 @@ def _read(file: str) -> bytes:
 
 def _unspelled(file: str, content: bytes) -> bytes:
     """Return the frames that a dump spells, or what is no dump as it is."""
-    words = spelled.found(content)
     if content.startswith(b"{"):
         return _core_of_state(file, content)
+    words = spelled.found(content)
     if words is not None:
         command.say_of(file, [words.note])
         return words.tape
     found = dump.found(content)
     if found is None:
         return content
-    command.say_of(file, [f"a dump in {found.notation}, read as {len(found.frames):,} frames"])
+    command.say_of(file, [found.note])
     return found.frames
 
 

@@ -85,7 +85,7 @@ class Model:
         self.led = self.playing = False
         self.laid = False
         """Whether the story's source lies over the program, to be read."""
-        self.unit, self.speed, self.refuses = "instruction", "1", False
+        self.refuses = False
         page.evaluate(DRIVER)
         facts = self._facts()
         self.program, self.text = facts["program"], facts["text"]
