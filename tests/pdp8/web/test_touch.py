@@ -19,7 +19,7 @@ _SHORT = {"start": "s", "load add": "l", "dep": "d", "exam": "e", "cont": "c", "
 
 def _said(page: Page) -> str:
     """Return the sentence, which has to be on the screen, whole, and in the accessibility tree."""
-    said = page.locator("#room .story").inner_text()
+    said: str = page.locator("#room .story").inner_text()
     seen = page.evaluate(
         "() => { const place = document.querySelector('#room .story');"
         " place.scrollIntoView({ block: 'nearest' });"
@@ -178,15 +178,21 @@ def test_one_leaves_and_goes_on(browser: Browser, file: Path) -> None:
         _until_it_waits(page, _helped, 20)
 
 
+def _width(page: Page) -> float:
+    """Return how wide the lamps in words are, in CSS pixels."""
+    width: float = page.locator("#room .lamps").evaluate("place => place.getBoundingClientRect().width")
+    return width
+
+
 def test_the_lamps_are_heard(browser: Browser, file: Path) -> None:
     """After each key the lamps are in the status; W shows them, and hides them."""
     with visit(browser, file.as_uri()) as page:
         click(page, "#take")
         page.keyboard.press("t")
         assert "stopped" in page.locator("#room .lamps").inner_text()
-        assert page.locator("#room .lamps").bounding_box()["width"] < 2  # type: ignore[index]
+        assert _width(page) < 2
         page.keyboard.press("w")
-        assert page.locator("#room .lamps").bounding_box()["width"] > 100  # type: ignore[index]
+        assert _width(page) > 100
         page.keyboard.press("l")
         assert "memory address 0200" in page.locator("#room .lamps").inner_text()
         page.keyboard.press("w")
