@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 HOUSE = Path(__file__).parent.parent
@@ -82,6 +83,8 @@ TOOLS = ("pal.grammar", "pal.server")
 
 def test_the_libraries_are_imported_without_the_command_line() -> None:
     names = [name.removesuffix(".__init__") for _, name, _ in sources(*LIBRARIES) if name not in TOOLS]
+    if find_spec("cv2") is None:
+        names = [name for name in names if not name.startswith("tapes.photograph")]
     blocked = f"import sys, importlib\nsys.modules.update(dict.fromkeys({OF_COMMANDS!r}))\n"
     script = f"{blocked}for name in {names!r}: importlib.import_module(name)"
     done = subprocess.run(

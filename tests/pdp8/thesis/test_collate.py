@@ -9,7 +9,7 @@ import pytest
 import pal
 import pdp8
 from pdp8 import shelf
-from pdp8.thesis import collate, evidence, pages
+from pdp8.thesis import collate, evidence
 from pdp8.thesis.collate import answers, conjectures, letter, settled, state
 from pdp8.thesis.facsimile import facsimile
 from programs import circle, die, polynomial
@@ -110,12 +110,13 @@ def drawn(lines: list[str], path: Path) -> None:
     cairosvg.svg2png(bytestring=f"{svg}{style}{rows}</g></svg>".encode(), write_to=str(path))
 
 
+@pytest.mark.slow("reads pictures by OpenCV")
 @pytest.mark.skipif(shutil.which("fc-list") is None, reason="no fonts")
 @pytest.mark.parametrize("lost", [0, 3])
 def test_a_line_is_found_on_a_page_and_only_about_where_lines_are_missing(
     lost: int, call: Call, tmp_path: Path
 ) -> None:
-    pytest.importorskip("cv2")
+    pages = pytest.importorskip("pdp8.thesis.pages", reason="OpenCV is not installed", exc_type=ImportError)
     page = facsimile("B").split("\f")[1].replace("[", "").replace("]", "").splitlines()
     lines = [line for line in page if line.strip()][lost:]
     drawn(lines, tmp_path / "page-106.png")
