@@ -69,8 +69,8 @@ class BlockError(TapeError):
 
 
 class Row(NamedTuple):
-    """The place of a block: its number on the tape, counted from 1, the frame of its first row, and those of
-    all its rows where frames between them were passed over.
+    """A block's place: its number, counted from 1, the frame of its first row, and all frames if some were
+    skipped.
     """
 
     number: int
@@ -84,10 +84,7 @@ class Row(NamedTuple):
 
 
 def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
-    """Yield each block of the tape with its place, in order, until the tape or the first bad block.
-
-    Raises BlockError at a block of wrong length or content, TapeError if no frame is punched.
-    """
+    """Yield each block with its place until the tape ends. Raises BlockError, or TapeError if blank."""
     end = len(frames.rstrip(b"\0"))
     if not end:
         raise TapeError("no row is punched: the tape is empty or blank")

@@ -58,9 +58,7 @@ class Stations:
 
 
 class Curve(ABC):
-    """A curve that can be sampled; `closed`: its end is its start, `guessed`: found from the path. If it is a
-    surface, the cutter's centre goes `beside` it, else `beside` is 0.
-    """
+    """A curve to sample; the cutter's centre is `beside` it if a surface; `guessed`: found from the path."""
 
     closed: ClassVar[bool] = False
     guessed: bool = False
@@ -84,9 +82,7 @@ class Curve(ABC):
 
     @abstractmethod
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
-        """Return the points of the curve and the normals there, (n, 2), where its parameter has gone this
-        `part`, (n,), 0 to 1, of its way.
-        """
+        """Return points (n, 2) and normals (n, 2) at these parts of its length, (n,), 0 to 1."""
 
     def limit(self, stations: Stations, tolerance: float) -> Floats:
         """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
@@ -245,9 +241,7 @@ class Outline(Curve):
     beside: float = 0
 
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
-        """Return points in equal steps along the line; where a cutter goes round a corner, more of them, with
-        normals that turn from one side to the next.
-        """
+        """Return points in equal steps along the line, more where a cutter rounds a corner."""
         sides = np.roll(self.corners, -1, axis=0) - self.corners
         length = np.hypot(sides[:, 0], sides[:, 1])
         normals = np.column_stack([sides[:, 1], -sides[:, 0]]) / length[:, None]
@@ -286,9 +280,7 @@ def _place(unit: Unit, x: float, y: float) -> str:
 
 
 def curve(nominal: Nominal, cutter: float) -> Curve:
-    """Return the curve, for a cutter of this diameter in thousandths. Raises WorkError for a curve that does
-    not exist.
-    """
+    """Return the curve for a cutter of this diameter, in thousandths. Raises WorkError if there is none."""
     beside = {"": 0.0, "above": 0.5, "outside": 0.5, "below": -0.5, "inside": -0.5}[nominal.side] * cutter
     thousandths = [round(number * 1000, 6) for number in nominal.numbers]
     x, y = thousandths[:2]

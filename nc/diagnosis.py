@@ -21,9 +21,7 @@ def notes(frames: bytes) -> tuple[str, ...]:
 
 
 def explain(frames: bytes, error: BlockError) -> str:
-    """Return what is wrong with the tape that a block of it was refused for, and the command that mends it;
-    the error's own message where nothing more is known.
-    """
+    """What is wrong with a tape whose block was refused, and the command that mends it, else `error`."""
     code = codes.recognise(frames)
     control = controls.other_control(frames, code)
     if control:

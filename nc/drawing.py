@@ -108,10 +108,7 @@ class Sheet:
     def label(
         self, x: float, y: float, words: str, parent: ET.Element | None = None, **attributes: object
     ) -> None:
-        """Write a line of text that stays legible over lines: a white halo first, then the letters.
-
-        Two elements, for not every renderer knows the property paint-order.
-        """
+        """Write text over a white halo: two elements, as some renderers lack paint-order."""
         halo = attributes | {"fill": "#ffffff", "stroke": "#ffffff", "stroke-width": 3, "aria-hidden": "true"}
         for shown in (halo, attributes):
             self.draw("text", parent, x=x, y=y, **shown).text = words
@@ -125,9 +122,7 @@ class Sheet:
         upright: float | None = None,
         unit: Unit = INCH,
     ) -> "View":
-        """Place a window on the part at (x, y), `scale` inches of paper to an inch of X, `upright` of Y, with
-        scales in `unit`.
-        """
+        """Place a window on the part at (x, y): `scale` inches of paper per inch of X, `upright` of Y."""
         self._views += 1
         return View(self, x, y, window, (scale, upright or scale), unit, f"view{self._views}")
 

@@ -44,9 +44,7 @@ def dxf(
     depth: bool = False,
     unit: Unit = INCH,
 ) -> str:
-    """Return DXF text; `cutter` is the diameter, `shift` is added to X and Y, both in thousandths. Raises
-    WorkError where ezdxf is missing, and if the tape cuts nothing.
-    """
+    """Return DXF text; lengths are thousandths. Raises WorkError without ezdxf, or if nothing is cut."""
     if not (path.cuts or path.holes):
         raise WorkError("no block of this tape cuts: there is nothing to draw")
     with _ezdxf() as ezdxf:

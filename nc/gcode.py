@@ -52,9 +52,8 @@ class Output(NamedTuple):
 
 
 def gcode(path: Path, output: Output = Output()) -> Iterator[str]:  # noqa: B008  # it is frozen
-    """Yield the program line by line, without line ends.
-
-    Raises WorkError if the tape cuts nothing, cuts before it starts the spindle, or taps without a pitch.
+    """Yield the lines. Raises WorkError if the tape cuts nothing, cuts with the spindle off, or taps without
+    a pitch.
     """
     cutting = [*filter(_cuts, path.steps)]
     if not cutting:
@@ -142,9 +141,7 @@ def _positions(path: Path, unit: Unit) -> list[str]:
 
 
 class _Program:
-    """The program so far, where it has left the mill, and how far it goes; `rates` are its feeds and spindle
-    speeds.
-    """
+    """The program so far, where it has left the mill, its reach, and its feeds and speeds as `rates`."""
 
     def __init__(self, top: int, output: Output) -> None:
         self.top, self.output = top, output

@@ -29,10 +29,7 @@ _COOLANT = {"mist": "M7", "flood": "M8", "off": "M9"}
 
 
 def gcode_1971(path: Path, pitch: float = 0, unit: Unit = INCH) -> Iterator[str]:
-    """Yield the program line by line, without line ends; `pitch` is that of taps, thousandths.
-
-    Raises WorkError for a tape that taps, if it is 0.
-    """
+    """Yield the lines; `pitch` of taps is in thousandths. Raises WorkError if the tape taps and it is 0."""
     check_taps(path, pitch)
     yield "(Moog Hydra-Point 83-1000 MC, 20-row block tape)"
     if path.moves and not any(step.modes.spindle for step in path.steps):

@@ -52,8 +52,8 @@ _PIECE = 10.0
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """The error of each wall at each station, (n,), in thousandths outward; nan where there is none. If
-    `part_wall` names one, only that is the part's, and the other is not measured.
+    """The error of each wall at each station, (n,), thousandths outward; nan: no wall. `part_wall` is the
+    part's.
     """
 
     stations: Stations
@@ -70,9 +70,8 @@ class Walls:
 
 @dataclass(frozen=True)
 class Reading:
-    """The lowest and highest error of one wall about one place, in thousandths outward.
-
-    `angle` is the direction of the normal there, in degrees; None for the whole curve.
+    """The lowest and highest error of a wall, thousandths outward, near normals at `angle` degrees; None:
+    anywhere.
     """
 
     place: str
@@ -237,11 +236,7 @@ def segments(moves: Sequence[Move]) -> Floats:
 def walls(
     cuts: Floats, stations: Stations, radius: float, part_wall: str = "", path: Floats | None = None
 ) -> Walls:
-    """Return the walls that a cutter of this radius leaves along the cuts (n, 4), at the stations.
-
-    `path` are points of the curve, by default the stations'. Exact; the time is in proportion to the
-    stations times the cuts within reach of each.
-    """
+    """Return the exact walls that a cutter of this radius leaves at the stations along the cuts (n, 4)."""
     outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
     corners = _corners(cuts)
     sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
@@ -280,9 +275,7 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
 
 
 def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
-    """Return the walls with their distance from the edge of a part that has corners: what is cut off a tip is
-    nearer to one of its sides than to where the normal leads.
-    """
+    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off."""
     if not (measured.part_wall and len(curve.tips)):
         return measured
     edge, here = (
@@ -334,10 +327,7 @@ def _joined(one: Walls, other: Walls) -> Walls:
 
 
 def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.intp]]:
-    """Return the stations that a graph of this wall needs, a list for each stretch that has a wall.
-
-    They are the turning points and one station in `every`; a closed graph ends at its first station.
-    """
+    """What a graph of this wall needs: for each stretch, its turning points and one station in `every`."""
     there = np.flatnonzero(~np.isnan(deviation))
     if not len(there):
         return []
@@ -394,10 +384,7 @@ _DIAGONAL_REACH = 5.0
 
 
 def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
-    """Yield the readings of both walls: of the whole, and of a closed curve at the apexes and 45 degrees.
-
-    A place is where the normal has that direction, within 10 degrees at an apex and 5 at 45 degrees.
-    """
+    """Yield the readings of both walls: of all, and of a closed curve at the apexes and at 45 degrees."""
     yield from _readings_at(WHOLE, None, measured, np.ones(len(measured.stations), dtype=np.bool_))
     if not curve.closed:
         return

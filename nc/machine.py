@@ -244,11 +244,7 @@ class _Motion:
 
 
 def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None) -> Path:
-    """Read the tape and carry out its blocks.
-
-    Raises CutError, with the path so far, at the first block that is refused; TapeError if no frame is
-    punched.
-    """
+    """Carry out the tape. Raises CutError, with the path so far, at a bad block, or TapeError."""
     machine = HydraPoint(settings)
     steps: list[Step] = []
 

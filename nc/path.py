@@ -84,10 +84,7 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Modes:
-    """What is in force until another block changes it. Feeds in inches a minute, depths in thousandths.
-
-    None: no block has set it yet. A feed point comes with its final depth.
-    """
+    """What is in force until a block changes it, None if none has: feeds in in/min, depths in .001 in."""
 
     x_feed: float | None = None
     y_feed: float | None = None
@@ -184,9 +181,7 @@ class Path:
         )
 
     def array(self) -> "NDArray[float64]":
-        """Return where the tip was, before the first move and after each: X, Y, Z of shape (moves + 1, 3), in
-        thousandths of an inch; (0, 3) if nothing moved.
-        """
+        """Return X, Y, Z of the tip, thousandths, before the first move and after each: (moves + 1, 3)."""
         import numpy
 
         places = [move.start for move in self.moves[:1]] + [move.end for move in self.moves]

@@ -26,10 +26,7 @@ COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
 
 
 def talyrond(inspection: Inspection, name: str = "Talyrond") -> str:
-    """Return the polar graph as SVG text, magnified 100 times or by the largest factor that fits.
-
-    `name` opens its title. Raises WorkError if the curve is not closed.
-    """
+    """The polar graph as SVG, magnified 100 times or as far as fits. Raises WorkError for an open curve."""
     if not inspection.curve.closed:
         raise WorkError(
             f"the Talyrond measures closed curves; this is a {inspection.curve}: use the Talysurf"

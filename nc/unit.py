@@ -6,9 +6,7 @@ from tapes.quantities import inches
 
 
 class Unit(NamedTuple):
-    """A unit of length: its name, how many of it are a thousandth of an inch, its word in RS-274 and its
-    number in a DXF file.
-    """
+    """A unit of length: its name, how many make .001 in, its word in RS-274, its number in DXF."""
 
     name: str
     scale: float

@@ -463,10 +463,7 @@ class Assembler:
             self.output.append(Message(code, subject, self._location, self._at))
 
     def _go_on(self, rest: str) -> str:
-        """Read on after an illegal character in an item; return the item.
-
-        A number begins again at 0. The rest of a name does not belong to it.
-        """
+        """Read on after an illegal character; return the item. A number begins again at 0, a name ends."""
         name, self._broken = self._broken, ""
         if not name[0].isalpha():
             if name.isdigit():

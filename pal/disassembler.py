@@ -76,10 +76,7 @@ def disassemble(
 def disassemble_tape(
     frames: bytes, symbols: Mapping[str, int] | None = None, entries: Sequence[int] = ()
 ) -> str:
-    """Return PAL source for a BIN or RIM tape, as `disassemble`.
-
-    Raises TapeError: no such tape, a damaged one.
-    """
+    """Return PAL source for a BIN or RIM tape, as `disassemble`. Raises TapeError if damaged."""
     if codes.recognise(frames) is codes.RIM and _BARE not in frames:
         words = rim.decode(frames)
         return _source(_pieces_of(words, words), symbols or {}, entries)
@@ -147,11 +144,7 @@ def _line(piece: Piece, labels: "_Labels") -> str:
 
 
 class _Labels:
-    """Which words have a tag, and which are numbers and not instructions.
-
-    There are no more tags than PAL III's symbol table takes by either reader: first the symbols given, then
-    what is jumped to.
-    """
+    """Which words have a tag and which are numbers; no more tags than PAL III takes."""
 
     def __init__(self, tape: list[Piece], symbols: Mapping[str, int], entries: Sequence[int]) -> None:
         words = {piece.address: piece.value for piece in tape if piece.kind == WORD}
@@ -215,10 +208,7 @@ class _Labels:
 
 
 def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]) -> set[int]:
-    """Return the addresses that are executed if the program is started at each of the entries.
-
-    Execution continues after HLT, but not into a word that is `handled` as data.
-    """
+    """The addresses that execution from `entries` reaches, also past HLT, but not into `handled` data."""
     reached: set[int] = set()
     called: set[int] = set()
     waiting = list(entries)
@@ -243,10 +233,7 @@ def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]
 
 
 def _target(piece: Piece) -> int | None:
-    """Return the address of a memory-reference instruction, in its own field; None for other words.
-
-    One on page zero that has the current page bit counts as none: PAL III would leave that bit out.
-    """
+    """Return the address of a memory reference that PAL III can write as one, in its own field; else None."""
     if piece.kind != WORD or piece.value >> 9 > JMP:
         return None
     if piece.value & CURRENT_PAGE and not piece.address & PAGE:

@@ -39,10 +39,8 @@ _SILENT = bytes((0, 0o200, 0o204, 0o215, 0o377))
 
 
 class ListingLine(NamedTuple):
-    """A statement of the listing: where its word is and what it is (None: it has none), and its line.
-
-    `tape` and `number` count the source tapes from 0 and their lines from 1. `source` is the whole line as
-    typed, at the last of its statements; before that it is "", as in DEC's listing.
+    """A statement of the listing; `source` is the whole line at its last statement, "" before, as DEC lists
+    it.
     """
 
     address: int | None

@@ -87,9 +87,8 @@ def rules(word: int) -> list[Rule]:
 
 
 def differs(word: int, model: str) -> str:
-    """Return what `word` does on `model` and otherwise on others; "" if it does the same on all.
-
-    Raises ValueError for a model that is not one of MODELS.
+    """Return what `word` does on `model` and not on others, "" if nothing. Raises ValueError for an unknown
+    model.
     """
     if model not in MODELS:
         raise ValueError(f"{model!r} is not one of {', '.join(MODELS)}")

@@ -214,9 +214,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
 
 
 def _run(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
-    """Return the notes on where the program, started at 0200, or a subroutine runs off its words or waits
-    for ever. It is followed as long as there is only one way.
-    """
+    """Notes on where a program or subroutine with one way to follow leaves its words or hangs."""
     called = {
         refers_to(cell.word, cell.address) + 1
         for address, cell in cells.items()
@@ -319,10 +317,7 @@ def _of_memory_extension(word: int) -> bool:
 
 
 def of_model(words: Iterable[Written], model: str) -> list[Note]:
-    """Return a note for each word that another model of the PDP-8 than `model` does otherwise.
-
-    Raises ValueError for a model that is not one of models.MODELS.
-    """
+    """Return a note for each word that other models than `model` execute otherwise. Raises ValueError."""
     from pal.models import differs
 
     found = [(written.at, written.word, differs(written.word, model)) for written in words]
@@ -347,10 +342,7 @@ def _near(name: str, other: str) -> bool:
 
 
 def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]) -> list[Note]:
-    """Return notes on undefined symbols: a similar name, or that a line with several of them is text.
-
-    `undefined` are names, each with its item or place and a number for its statement.
-    """
+    """Return notes on undefined symbols, (name, place, statement): a similar name, or a line of text."""
     lines: dict[int, list[tuple[str, int]]] = {}
     for name, at, line in undefined:
         lines.setdefault(line, []).append((name, at))
@@ -370,10 +362,7 @@ def of_undefined(undefined: Iterable[tuple[str, int, int]], known: Iterable[str]
 
 
 def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> list[Note]:
-    """Return the notes on names that are the same in their first six characters and are spelled otherwise.
-
-    `mentions` are names in full, each with its item or place.
-    """
+    """Return notes on names, each with its place, that differ only after their first six characters."""
     notes = []
     spelled: dict[str, str] = {}
     known = set(permanent)

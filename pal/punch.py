@@ -44,10 +44,7 @@ def words(output: Output) -> dict[int, int]:
 
 
 def loaded(frames: bytes) -> dict[int, int]:
-    """Return what DEC's BIN loader makes of a tape that it was not made for, {address: word}.
-
-    Words before any origin are left out: they go to wherever the loader was last.
-    """
+    """Return {address: word} as DEC's BIN loader leaves core, without words before any origin."""
     core: dict[int, int] = {}
     address = -1
     field = bank = 0

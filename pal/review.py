@@ -34,10 +34,7 @@ def notes(
     punched: Output,
     table: Sequence[Entry],
 ) -> list[Note]:
-    """Return the other notes on a source, which has this number of tapes, after passes 1 and 2.
-
-    `messages` are theirs, `punched` is what pass 2 punched, `table` the symbols as pass 1 left them.
-    """
+    """The other notes on a source after passes 1 and 2; `table` has the symbols as pass 1 left them."""
     ended = watched.ended
     items = source.items
     words = [piece for piece in punched if isinstance(piece, Written)]

@@ -137,10 +137,7 @@ def plain(text: str) -> str:
 
 
 def characters(tape: bytes | str) -> str:
-    r"""Return the characters of a source tape but for those that are passed over; each line ends with ``\r``.
-
-    What is beyond ASCII stays in a text, and in UTF-8, which no tape with channel 8 happens to be.
-    """
+    """The characters that PAL III reads, each line ended by CR; a text or UTF-8 keeps those beyond ASCII."""
     given = _utf_8(tape) if isinstance(tape, bytes) and not tape.isascii() else tape
     if isinstance(given, bytes):
         text = given.translate(PARITIES["none"], _PASSED_OVER).decode("ascii")

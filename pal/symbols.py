@@ -116,11 +116,7 @@ PSEUDO_OPERATORS = {
 
 
 def codes(name: str) -> tuple[int, int, int]:
-    """Return the three words of `name` in PAL III's table, two characters of six bits in each.
-
-    A to Z are 01 to 32, 0 to 9 are 60 to 71, and what is left over is 00; so the order of the words is that
-    of the symbol table: letters before digits, and M60 after M6.
-    """
+    """Return `name` as three words of two characters each, which sort letters before digits."""
     padded = name[:SIGNIFICANT].ljust(SIGNIFICANT, "@")
     first, second, third, fourth, fifth, sixth = (ord(character) & 0o77 for character in padded)
     return first << 6 | second, third << 6 | fourth, fifth << 6 | sixth

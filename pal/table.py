@@ -76,10 +76,7 @@ class SymbolTable:
         return entry
 
     def overwrite(self) -> None:
-        """Take the first frame of a line, a line feed, into the buffer of pass 3, as its first line is read.
-
-        The buffer begins at the value of the last symbol that the table takes.
-        """
+        """Put the line feed of pass 3's first line into PAL III's buffer, over a full table's end."""
         if self.full:
             self.words[self.end - ENTRY + VALUE] = _LINE_FEED
 

@@ -12,11 +12,7 @@ from pal.text import UTF16, Text, path_of
 
 
 class Workspace:
-    """The texts that an editor has open, and the programs that they make.
-
-    `dialect` is that of sources for which the editor chose none; `unit` is how it counts characters. `read`
-    returns the text of a tape that is not open.
-    """
+    """An editor's open texts and their programs; `read` returns the text of a tape that is not open."""
 
     def __init__(self, dialect: str, read: Callable[[str], str]) -> None:
         self.dialect = dialect

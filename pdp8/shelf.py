@@ -109,9 +109,7 @@ def bundled() -> list[str]:
 
 
 def find(name: str) -> str:
-    """Return the path of `name`: as given if it is there, else the bundled file of that name, which no folder
-    hides. Raises ShelfError if there is neither.
-    """
+    """Return the path of `name`: a file, else the bundled one, which no folder hides. Raises ShelfError."""
     check_named(name)
     if os.path.exists(name) and not (name in _bundled and os.path.isdir(name)):
         return name
@@ -144,10 +142,7 @@ def read_bundled(name: str) -> bytes:
 
 
 def read(name: str, most: int = LARGEST) -> bytes:
-    """Return the whole content of file `name`, bundled name, or standard input for `-`.
-
-    Raises ShelfError, also for more than `most` bytes and for text in UTF-16, which nothing here reads.
-    """
+    """The content of `name`, `-` or a bundled file; UTF-16 and more than `most` bytes raise ShelfError."""
     if name == "-":
         content = sys.stdin.buffer.read(most + 1)
     else:
@@ -226,9 +221,7 @@ def without_mark(content: bytes) -> bytes:
 
 
 def identity(name: str) -> object:
-    """Return what all names of one file have in common: a link, a hard one too, and another spelling on a
-    disk that takes both.
-    """
+    """Return what all names of one file share: links, hard ones too, and other spellings of its path."""
     if name == "-":
         return name
     path = os.path.realpath(name)  # as it is written
@@ -249,9 +242,7 @@ def of_standard_input() -> object:
 
 
 def check_kind(name: str, kind: str) -> None:
-    """Raise ShelfError where a file called `name` is there, and is what no product of that kind replaces; or
-    where a picture's name has the ending of another format.
-    """
+    """Raise ShelfError where `name` is a file that no product of that kind replaces, or of a wrong ending."""
     if kind == "SVG" and name.lower().endswith(_OTHER_PICTURES):
         raise ShelfError(f"{name}: a picture is written as SVG alone; name it .svg")
     if not os.path.isfile(name) or not os.path.getsize(name):
@@ -278,9 +269,7 @@ def told(name: str, replaced: bool) -> str:
 
 
 def write(name: str, content: bytes) -> bool:
-    """Write `content` to file `name` whole or not at all; return whether it took the place of a file. Raises
-    ShelfError.
-    """
+    """Write file `name` whole or not at all; return whether it replaced one. Raises ShelfError."""
     check_writable(name)
     if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null
         _write_through(name, content)
@@ -298,9 +287,7 @@ def write(name: str, content: bytes) -> bool:
 
 @contextmanager
 def replacing(name: str) -> Iterator[str]:
-    """Give the name of a file beside `name` to write; it takes the place of `name`, with its mode, unless an
-    exception is raised. A link is followed. Raises OSError.
-    """
+    """Give the name of a file beside `name`, which takes its place and mode unless an exception is raised."""
     path = os.path.realpath(name)
     beside = f"{path}.{os.getpid()}.part"
     try:
@@ -370,10 +357,7 @@ def _write_through(name: str, content: bytes) -> None:
 
 
 def open_punch(name: str) -> BinaryIO:
-    """Open `name` for frames that are written as they are punched; `-` is standard output, if no terminal.
-
-    Raises ShelfError.
-    """
+    """Open `name` for frames as they are punched, `-` if no terminal. Raises ShelfError."""
     if name == "-":
         if sys.stdout.isatty():
             raise ShelfError(

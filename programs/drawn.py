@@ -25,10 +25,7 @@ def part(
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the curve through `heights`, blanks between them; lengths are inches.
-
-    Raises WorkError.
-    """
+    """Return the printout of the curve through `heights`, blank-separated, inches. Raises WorkError."""
     units = [1000 * INCHES.keep(height) for height in heights.split()]
     return milling.printout(drawn(units, tolerance_units(tolerance)), header, overflow)
 

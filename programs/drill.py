@@ -41,10 +41,7 @@ def part(
     z_depth: Annotated[float, "final depth of Z", INCHES] = 3.5,
     z_feed: Annotated[int, "Z feed code of Table 2.4", CODE] = 1,
 ) -> str:
-    """Return the printout of a drilling tape.
-
-    Raises WorkError for a code or place that the machine does not have.
-    """
+    """Return the printout of a drilling tape. Raises WorkError for an impossible code or place."""
     if not holes:
         raise WorkError("no holes are given; at least one is needed")
     feed_point, depth = thousandths("Z feed point", z_feed_point), thousandths("final Z depth", z_depth)

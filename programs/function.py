@@ -69,10 +69,7 @@ class Range:
 def centre_path(
     function: Callable[[Any], Any], where: Range, tolerance: float, arithmetic: Arithmetic = EXACT
 ) -> Curve:
-    """Return the band of `function`, in inches, taken as the path of the cutter's centre.
-
-    Raises WorkError where it is too steep.
-    """
+    """Return the band of `function`, in inches, as the path of the cutter's centre. Raises WorkError."""
     across, up = where.origin
     real, store = arithmetic.real, arithmetic.store
     thousand, above, error = real(1000), real(up), real(tolerance_units(tolerance))
@@ -100,10 +97,7 @@ def check_cutter(diameter: float) -> None:
 def offset_path(
     function: Callable[[float], float], where: Range, tolerance: float, cutter: float, side: str
 ) -> Curve:
-    """Return the band of the path of a cutter of diameter `cutter` that leaves `function` as its surface.
-
-    Raises WorkError where the surface is tighter than the cutter, or the path too steep.
-    """
+    """Return the band of the cutter's path beside the surface `function`. Raises WorkError."""
     check_cutter(cutter)
     across, up = where.origin
     radius = cutter * 500 * (1 if side == "above" else -1)
@@ -129,9 +123,7 @@ def offset_path(
 
 
 def _slopes(heights: list[float]) -> list[float]:
-    """Return the slope at each of three or more heights: the slope between its neighbours; at both ends that
-    of the parabola through the last three.
-    """
+    """The slope at each of three or more heights, by its neighbours; at both ends by the last three."""
     a, b, c = heights[:3]
     x, y, z = heights[-3:]
     inner = [(there - here) / 2 for here, there in zip(heights, heights[2:], strict=False)]

@@ -25,10 +25,7 @@ class Fit(NamedTuple):
 
 
 def fit(points: Points, degree: int) -> Fit:
-    """Return the polynomial of the least sum of squared distances along y.
-
-    Raises WorkError for a degree that is negative or too high for the points.
-    """
+    """The polynomial nearest to the points along y. Raises WorkError for a degree that they do not give."""
     from numpy.polynomial import Polynomial  # only a fit needs it
 
     distinct = len({x for x, _ in points})

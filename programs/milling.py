@@ -56,10 +56,7 @@ class Milling:
         return printout.text
 
     def print(self, printout: Printout, curve: Curve) -> None:
-        """Print the blocks that mill along `curve`; the cutter is at its start.
-
-        Raises WorkError where the curve leaves the table or the technique cannot follow it.
-        """
+        """Print the blocks that mill along `curve` from its start. Raises WorkError if it cannot."""
         if self.technique == "step":
             for cut in stepwise.cuts(curve, self.stop):
                 mill(printout, cut.stop, self.feed_code, cut.axis)

@@ -27,10 +27,7 @@ from tapes.text import lines_of
 
 
 def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = None) -> str:
-    """Return the printout with X or Y reflected about `middle`, thousandths, by default the part's middle.
-
-    Raises WorkError for a line that is not a block, and for a block that would leave the table.
-    """
+    """Return the printout reflected about `middle`, by default the part's. Raises WorkError."""
     lines = lines_of(printout)
     blocks = [_block(line, number) for number, line in enumerate(lines, 1)]
     places = [found.x if across == "x" else found.y for found in blocks if _is_of_the_part(found)]

@@ -23,10 +23,7 @@ _FINE, _LEAST = 0.0005, 0.002
 
 
 def read(text: str) -> list[Place]:
-    """Return the points of a text, x and y on each line; # begins a comment.
-
-    Raises WorkError, naming the line, for anything else, and if there are none.
-    """
+    """The points of a text, x and y on each line, # for comments. Raises WorkError, naming the line."""
     points: list[Place] = []
     for number, line in enumerate(text.split("\n"), 1):
         words = line.partition("#")[0].replace(",", " ").split()
@@ -45,10 +42,7 @@ def read(text: str) -> list[Place]:
 
 
 def outline(text: str, tolerance: float) -> list[Place]:
-    """Return the corners of the closed line through the points of a text, counterclockwise; inches.
-
-    Raises WorkError for what is no closed line, and for points too far apart for `tolerance`.
-    """
+    """Return the corners of the closed line through a text's points, counterclockwise. Raises WorkError."""
     return outlined(read(text), tolerance)
 
 
@@ -99,9 +93,8 @@ def _check_turn(before: Place, here: Place, after: Place, tolerance: float) -> N
 
 
 def _check_smooth(line: list[Place], axis: int, least: float) -> None:
-    """Raise WorkError where a line goes back and forth along an axis by less than `least`.
-
-    There a stop may fall outside the band: a hundred of 6,000 rough outlines were.
+    """Raise WorkError where a line turns back by less than `least` along an axis: a stop might miss the band
+    there.
     """
     ends: list[Place] = []
     values = [place[axis] for place in line]

@@ -56,9 +56,8 @@ def part(
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the profile r = `expression`; lengths are inches.
-
-    In place of an expression a text of lines is the outline, x and y of a point on each. Raises WorkError.
+    """Return the printout of the profile r = `expression`, or of the outline in its lines; inches. Raises
+    WorkError.
     """
     edge = points.outline(expression, tolerance) if "\n" in expression else _polar(expression)
     across, up = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
@@ -68,10 +67,7 @@ def part(
 
 
 def beside_oval(x: int, y: int, major: int, minor: int, cutter: float, side: str, tolerance: float) -> Curve:
-    """Return the path of a cutter, inches across, round an ellipse about `x`, `y`; thousandths.
-
-    Raises WorkError as `part` does.
-    """
+    """The path of a cutter, inches across, round an ellipse about `x`, `y`; thousandths. Raises WorkError."""
     angles = [radians(360 * place / _PLACES) for place in range(_PLACES, 0, -1)]
     edge = [(x + major * cos(angle), y + minor * sin(angle)) for angle in angles]
     return _beside(edge, cutter, side, tolerance)
@@ -105,10 +101,7 @@ def _polar(expression: str) -> list[Place]:
 
 
 def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
-    """Return the path to the left of a closed line, `beside` it; thousandths.
-
-    Raises WorkError where it goes back or crosses itself, and for a corner that the cutter does not reach.
-    """
+    """The path `beside` a closed line, to its left; thousandths. Raises WorkError if it crosses itself."""
     too_big = f"cutter of {abs(beside) / 500:g} in is too big: "
     path: list[Place] = []
     end = _about(edge[-2], edge[-1], edge[0], beside)[-1]
@@ -143,10 +136,7 @@ def _at(place: Place) -> str:
 
 
 def closed(path: Sequence[Place], tolerance: float) -> Curve:
-    """Return the closed curve through places, near each other, from the one of least X and back.
-
-    Raises WorkError for a tolerance out of range.
-    """
+    """The closed curve through near places, from the one of least X. Raises WorkError for the tolerance."""
     xs, ys = [x for x, _ in path], [y for _, y in path]
     check_tolerance(tolerance, min(max(xs) - min(xs), max(ys) - min(ys)) / 2)
     first = xs.index(min(xs))
@@ -179,9 +169,7 @@ def _stretch(
 
 
 def _ways(steps: list[float]) -> list[int]:
-    """Return the direction of each step, 1 or -1; a step of no length takes the direction before it, or the
-    first one there is.
-    """
+    """Return the direction of each step, 1 or -1; a zero-length step takes the previous direction."""
     way = next(_way(step) for step in steps if abs(step) > _FLAT)
     ways = []
     for step in steps:

@@ -50,11 +50,7 @@ def cuts(curve: Curve, rule: Stop) -> Iterator[Cut]:
 
 
 def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop) -> Iterator[Cut]:
-    """Yield the cuts from `start`, the first along `axis`, until the last of `stretches` ends.
-
-    The cut in which the last stretch ends is left out. Raises WorkError where a band is too narrow for a
-    cut.
-    """
+    """Yield the cuts from `start`, the first along `axis`, but the last. Raises WorkError."""
     at = done = start
     for stretch in stretches:
         idle = False

@@ -105,10 +105,7 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
 
 
 def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: float) -> Curve:
-    """Return the arc about `centre` from angle `start` through `sweep`, degrees counterclockwise.
-
-    Raises WorkError for a tolerance out of range, for none is smaller than a radius that is not positive.
-    """
+    """The arc about `centre` through `sweep` degrees counterclockwise. Raises WorkError for the tolerance."""
     check_tolerance(tolerance, radius)
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 
@@ -144,10 +141,7 @@ def _right_angles_between(start: float, last: float) -> list[float]:
 
 
 def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
-    """Return the ellipse (or circle) about `centre` between two others, clockwise from 9 o'clock and back.
-
-    Each limit is an ellipse's semi-axes along X and Y.
-    """
+    """Return the ellipse about `centre` between two of these semi-axes, clockwise from 9 o'clock and back."""
     (a, b), (c, d) = (inner[0] ** 2, inner[1] ** 2), (outer[0] ** 2, outer[1] ** 2)
     middle_x, middle_y, smaller, larger = centre.x, centre.y, a * b, c * d
 
@@ -170,11 +164,7 @@ def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
 
 
 def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
-    """Return the curve between two limits, given by their Y at `first_x` and at each thousandth after it.
-
-    Its turning points are found first, as in Chapter 6. Raises WorkError where it is too steep for its
-    band.
-    """
+    """Return the curve between limits, their Y at each thousandth from `first_x` on. Raises WorkError."""
     limits = [(float(low), float(high)) for low, high in zip(lower, upper, strict=True)]
     middle = [(low + high) / 2 for low, high in limits]
     tolerance = round((limits[0][1] - limits[0][0]) / 2, 6)

@@ -60,10 +60,7 @@ class _Row(NamedTuple):
 
 
 def read(content: bytes, mm: bool = False) -> Points:
-    """Return the points of a file; with `mm` those are millimetres whose unit the file does not say.
-
-    Raises WorkError, naming the line, for what has numbers and is no point.
-    """
+    """Return the points of a file, without unit in inches, or with `mm` millimetres. Raises WorkError."""
     every = enumerate((_COMMENT.split(line)[0] for line in lines_of(_text(content))), 1)
     lines = [(at, line) for at, line in every if line.strip(' \t,;|"-\ufeff')]
     given = next((line[4:5] for _, line in lines if line.lower().startswith("sep=")), "")

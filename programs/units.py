@@ -44,10 +44,7 @@ class Unit(NamedTuple):
         return self._replace(limit=limit)
 
     def keep(self, text: str, whole: bool = False) -> float:
-        """Return what is kept for `text`, with its unit behind it or without, to the last digit of a float.
-
-        Raises UnitError.
-        """
+        """What is kept for `text`, with or without its unit, to a float's last digit. Raises UnitError."""
         text = text.removesuffix(self.short.strip())
         if self.metavar == "INCHES" and text.endswith("mm"):
             text = _plain(_moved(text.removesuffix("mm"), 0) / _MM)

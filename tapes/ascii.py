@@ -61,9 +61,8 @@ def encode(text: str, parity: str = "mark", fill: int = 6) -> bytes:
 
 
 def decode(frames: bytes) -> str:
-    r"""Return what the tape says, its lines ended by "\n" whether it has CR LF, CR or LF.
-
-    Channel 8 is not looked at; blank frames, leader and RUBOUTs say nothing. Any tape has a reading.
+    r"""Return the text, lines ended by "\n" for CR LF, CR or LF; channel 8, blanks, leader and RUBOUTs are
+    ignored.
     """
     codes = frames.translate(strip.PARITIES["none"], _SILENT)
     return codes.decode("ascii").replace("\r\n", "\n").replace("\r", "\n")
@@ -137,8 +136,8 @@ class _Ascii(Characters):
         return bytes(sorted({*obeying, strip.RUBOUT}))
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
-        """Return the parity that nine in ten of the characters obey, all of them if they are few; a tape
-        that is spliced may have one after the other.
+        """Return the parity of nine in ten characters, or of all of a few; a spliced tape has one after the
+        other.
         """
         pieces = _parities(frames, doubtful)
         if not pieces:

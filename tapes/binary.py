@@ -114,11 +114,7 @@ def tape(body: bytes, checksum: int) -> bytes:
 
 
 def encode(words: Mapping[int, int]) -> bytes:
-    """Punch `words`, {address: word}, in one section: ascending, an origin before each run, fields other than
-    0 named.
-
-    Raises TapeError for an address outside 0-77777, a word outside 0-7777.
-    """
+    """Punch {address: word} in one section, in order. Raises TapeError for one beyond 77777, or 7777."""
     body = bytearray()
     summed = 0
     following: int | None = None
@@ -143,11 +139,7 @@ def encode(words: Mapping[int, int]) -> bytes:
 
 
 def decode(frames: bytes) -> Content:
-    """Return the words of every section, the later where an address comes twice, and the fields.
-
-    Raises TapeError naming the frame: an empty tape, no leader, a frame out of place, a word before any
-    origin, a tape cut short, a checksum that is not the sum.
-    """
+    """Return the words, the later where an address comes twice. Raises TapeError, naming the frame."""
     reading = read(frames)
     damage = find_damage(reading)
     if damage:
@@ -169,9 +161,7 @@ def find_damage(reading: Reading) -> TapeError | None:
 
 
 def content(reading: Reading) -> Content:
-    """Return what a tape puts into core, however damaged: of a section without its end all but the last word,
-    which may be a checksum. Raises TapeError for a word before any origin.
-    """
+    """The words of a damaged tape; the last of an unended section may be a checksum and is left out."""
     found = Content({}, {})
     for section in reading.sections:
         _load(section.items, found)
@@ -180,17 +170,12 @@ def content(reading: Reading) -> Content:
 
 
 def read(frames: bytes) -> Reading:
-    """Return the tape section by section, its checksums unjudged.
-
-    Raises TapeError where no BIN tape begins: an empty tape, neither leader nor origin, nothing but leader.
-    """
+    """Return the tape by sections, checksums not checked. Raises TapeError where no BIN tape begins."""
     return read_whole(frames) or _read_from(frames, find_start(frames))
 
 
 def read_whole(frames: bytes) -> Reading | None:
-    """Return the tape from the first of its `starts` at which a whole section begins: an origin, words, their
-    checksum; None if there is none.
-    """
+    """Return the tape from the first of its `starts` at which a whole section begins, or None."""
     for start in starts(frames):
         if skip(frames, start, LEADER) == len(frames):
             continue
@@ -254,9 +239,7 @@ def _first_kind(items: Iterable[Item]) -> str:
 
 
 def find_apart(frames: bytes, reading: Reading) -> int | None:
-    """Return the frame at which the leader of a good section begins after the label at the tape's end, None
-    if there is none: it is a tape of its own.
-    """
+    """Return the frame of a second tape's leader behind the label at the end, or None."""
     label = label_after(frames, reading.labels)
     if label is None:
         return None
@@ -299,9 +282,7 @@ def _load(items: Iterable[Item], content: Content) -> None:
 
 
 def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int, TapeError | None]:
-    """Return what begins at frame `at`, and the frame of the trailer, or of the first fault. Letters in the
-    leader are added to `labels`.
-    """
+    """The items from frame `at`, and the frame of the trailer or first fault; add letters to `labels`."""
     items: list[Item] = []
     begun = summed = False  # whether an origin or a word has come; whether the last one was a word
     while at < len(frames):

@@ -31,9 +31,7 @@ _LETTER: Final = 8
 
 
 class Rule(NamedTuple):
-    """What each frame of a tape obeys whatever the others are: its name, and whether a frame does,
-    `obeyed(number, frame)`.
-    """
+    """The rule that each frame of a tape obeys by itself: its name, and the test `obeyed(number, frame)`."""
 
     name: str
     obeyed: Callable[[int, int], bool]
@@ -124,9 +122,7 @@ class Characters(Code):
         raise NotImplementedError
 
     def labels(self, frames: bytes) -> tuple[range, ...]:
-        """Return the frames of a title before the text: letters for the eye, then blank tape. They do not fit
-        the code, and what follows does.
-        """
+        """Return the frames of a title before the text: letters for the eye, then blank tape."""
         first = skip(frames, 0, BLANK)
         title = range(0)
         end = frames.find(LABEL_GAP, first, _LONGEST_TITLE)

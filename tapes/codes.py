@@ -32,9 +32,7 @@ UNKNOWN: Final = Code(
 
 
 def recognise(frames: bytes) -> Code:
-    """Return the code that a tape is most likely in; BLANK_TAPE if it has no holes, SIX_LEVEL or UNKNOWN
-    if none fits.
-    """
+    """Return the likeliest code of a tape; BLANK_TAPE, SIX_LEVEL or UNKNOWN if none fits."""
     body = frames[skip(frames, 0, BLANK) :]
     found, most = (UNKNOWN, 0.0) if body else (BLANK_TAPE, 1.0)
     for code in CODES if body else ():
@@ -57,9 +55,7 @@ def named(name: str) -> Code:
 
 
 def start(frames: bytes) -> int:
-    """Return the frame on which an operator sets the tape: its leader of 200, past blank tape, and past a
-    label of a tape of words; any other tape's first.
-    """
+    """Return the frame on which an operator sets the tape: a loader tape's leader, any other's first."""
     code = recognise(frames)
     if isinstance(code, Words):
         return code.start(frames)

@@ -22,9 +22,7 @@ _LIKELIER = 3.0
 
 
 class Doubt(NamedTuple):
-    """A frame that breaks the rule: its number, its value, the value that is likely, None if none is; what it
-    reads as if it is accepted, "" if as nothing.
-    """
+    """A frame that breaks the rule: its number, value, likely value or None, and reading if accepted."""
 
     frame: int
     seen: int

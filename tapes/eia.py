@@ -60,9 +60,8 @@ _TO_CHARACTER = bytes(
 
 
 def encode(text: str, skip: str = "") -> bytes:
-    r"""Punch `text`, each "\n" as an EOB, without the characters in `skip`; a small letter as its capital.
-
-    Raises TextError for a character that has no EIA code, naming its line and column.
+    r"""Punch `text`, "\n" as EOB, without the characters in `skip`, in capitals. Raises TextError for any
+    other.
     """
     frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode())
     if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either

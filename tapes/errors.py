@@ -42,9 +42,7 @@ _CONTROLS = {
 
 
 def visible(text: str) -> str:
-    """Return a text with its control codes as pictures, tabs and line ends apart, and what is no character as
-    an escape: a terminal shows it and does not obey it, and XML and JSON may have it.
-    """
+    """Return a text with its control codes, but tabs and line ends, as pictures or inert escapes."""
     return text.translate(_CONTROLS).encode("utf-8", "backslashreplace").decode()
 
 

@@ -45,10 +45,7 @@ _DIGITS = ".0123456789"
 
 
 def function(text: str) -> Function:
-    """Return the function. Raises WorkError with the column of what is not in the language.
-
-    The function raises WorkError where it has no value.
-    """
+    """The function, which raises WorkError where it has no value. Raises WorkError, naming the column."""
     if len(text) > _LONGEST:
         raise WorkError(f"expression of {len(text)} characters: at most {_LONGEST} are allowed")
     text = text.strip()

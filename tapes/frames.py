@@ -57,19 +57,15 @@ class Strip(NamedTuple):
 
 
 def with_parity(frames: bytes, parity: str) -> bytes:
-    """Return the same seven-channel codes with channel 8 punched as `parity`, a key of PARITIES, says.
-
-    Raises TapeError for any other `parity`.
-    """
+    """Return the same codes with channel 8 by `parity`, a key of PARITIES. Raises TapeError for any other."""
     if parity not in PARITIES:
         raise TapeError(f"no parity is called {parity!r}: {', '.join(PARITIES)}")
     return frames.translate(PARITIES[parity])
 
 
 def parity(frames: bytes) -> str:
-    """Return the key of PARITIES that every character of the tape obeys, or "mixed".
-
-    Blank frames, leader and rubouts say nothing of the parity. With no character left it is "none".
+    """Return the key of PARITIES that every character obeys, "mixed", or "none"; blanks and rubouts do not
+    count.
     """
     characters = bytes(sorted(set(frames) - {BLANK, LEADER, RUBOUT}))
     for name in ("none", "mark", "even", "odd"):
@@ -89,10 +85,7 @@ def blank(length: int) -> bytes:
 
 
 def strip(frames: bytes, code: int = LEADER) -> Strip:
-    """Part the tape into leader, body and trailer.
-
-    Outermost are blank frames, then those of the leader `code`, which on an EIA tape is BLANK.
-    """
+    """Part the tape into leader, body and trailer: blank frames outermost, then those of the `code`."""
     start = skip(frames, skip(frames, 0, BLANK), code)
     end = max(start, len(frames[: paper_end(frames)].rstrip(bytes([code]))))
     return Strip(frames[:start], frames[start:end], frames[end:])
@@ -119,9 +112,7 @@ def begins_as_words(frames: bytes, content: bytes) -> bool:
 
 
 def leader_start(frames: bytes) -> int | None:
-    """Return the first frame of a loader tape's leader, where an operator sets the tape: 200 after any blank
-    tape, after letters for the eye and blank tape, or after rubouts. None for a tape that begins otherwise.
-    """
+    """Return the first frame of the leader: after blank tape, letters or rubouts; None if there is none."""
     start = skip(frames, 0, BLANK)
     if frames[start : start + 1] == bytes([LEADER]):
         return start
@@ -133,9 +124,7 @@ def leader_start(frames: bytes) -> int | None:
 
 
 def starts(frames: bytes) -> list[int]:
-    """Return the frames on which an operator might set a loader tape, the likeliest first: the first with a
-    hole; the leader after letters for the eye; the leader after a title that is punched as characters.
-    """
+    """Return where an operator might set a loader tape, the likeliest first: its first hole, its leader."""
     first = skip(frames, 0, BLANK)
     found = [first]
     eye = leader_start(frames)
@@ -159,9 +148,7 @@ def _lines(frames: bytes) -> int:
 
 
 def label_before(frames: bytes, start: int) -> tuple[range, ...]:
-    """Return the frames of the letters before a tape's start, blank tape and leader apart; () if there are
-    none.
-    """
+    """Return the frames of the letters before a tape's start, blank tape and leader apart, or ()."""
     end = len(frames[:start].rstrip(_NO_LETTERS))
     return (range(skip(frames, 0, BLANK, LEADER), end),) if end else ()
 
@@ -178,9 +165,7 @@ def check_word(address: int, word: int) -> None:
 
 
 def find_start(frames: bytes) -> int:
-    """Return where a tape that is no whole one may begin: `leader_start`, or the first frame with a hole if
-    that is an origin. Raises TapeError: an empty tape, nothing but blank tape, another frame.
-    """
+    """Where a damaged tape may begin: leader, or first hole if an origin. Raises TapeError if nowhere."""
     start = leader_start(frames)
     if start is not None:
         return start
@@ -207,9 +192,7 @@ def channels(frame: int) -> tuple[int, ...]:
 
 
 def draw_label(frames: bytes, columns: int = 72) -> list[str]:
-    """Return letters punched for the eye as it reads them: a frame a column, channel 1 at the top, from the
-    first hole to the last; a line of rows for every so many columns.
-    """
+    """Letters for the eye as rows, a frame a column, channel 1 at the top; new rows after so many columns."""
     holes = frames.strip(bytes([BLANK]))
     rows = []
     for start in range(0, len(holes), columns):

@@ -64,9 +64,7 @@ class _Ita2(Characters):
         return BLANK
 
     def likelihood(self, frames: bytes) -> float:
-        """Return a little less than MOSTLY if no frame has a sixth channel, and it begins with a shift or has
-        ends of line.
-        """
+        """Just under MOSTLY if no frame has a sixth channel and it begins with a shift or has line ends."""
         first = frames[skip(frames, 0, BLANK) :][:1]
         begun = first in (bytes([LETTERS]), bytes([FIGURES])) or _LINE_END in frames
         return 0.9 * MOSTLY if begun and not frames.translate(None, _FIVE) else 0.0

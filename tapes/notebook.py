@@ -13,10 +13,7 @@ _FRAMES = 320
 
 
 class Tape(bytes):
-    """Frames which a notebook shows as SVG, the first 320, and a terminal as rows of holes.
-
-    The captions are in the code the frames are in; see `tapes.codes`.
-    """
+    """Frames that a notebook shows as SVG, the first 320, and a terminal as rows of holes, in their code."""
 
     @overload
     def __getitem__(self, place: SupportsIndex) -> int: ...

@@ -46,9 +46,8 @@ _LETTER = 54
 
 
 def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None) -> str:
-    """Return frames `start` up to `stop` as rows of holes with frame number, octal and caption in `code`.
-
-    `code` is the name of one of codes.CODES; any other leaves the captions out.
+    """Return frames `start` up to `stop` as rows with number, octal and caption in the `code` of this name,
+    if any.
     """
     rows = [
         "   frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first",
@@ -69,19 +68,14 @@ def svg(
     *,
     tracks: bool = False,
 ) -> str:
-    """Return frames `start` up to `stop` as an SVG page of strips of `strip` frames, true in size.
-
-    `tracks`: number the nine tracks, the sprocket holes the fourth, as the thesis does, not the channels.
-    """
+    """Frames `start` up to `stop` in true size, in strips; `tracks` numbers all nine, as the thesis does."""
     shown = _shown(frames, code, start, stop)
     strips = [shown[at : at + strip] for at in range(0, len(shown), strip)]
     return _drawing(strips, 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1)), tracks)
 
 
 def pages(frames: bytes, code: str, start: int, stop: int | None, paper: str) -> str:
-    """Return frames `start` up to `stop` as pages of SVG to print on `paper`: strips of 70 frames, with marks
-    where they are to be cut.
-    """
+    """Return frames `start` up to `stop` as SVG pages for `paper`: strips of 70 frames with marks to cut."""
     shown = _shown(frames, code, start, stop)
     width, height = area(paper)
     sheets: list[list[list[_Row]]] = [[]]

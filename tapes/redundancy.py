@@ -33,10 +33,8 @@ _MOST_CHANNELS = 24
 
 
 def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
-    """Return the frames that the tape's redundancy says are others, {number: value}, and by what it says so.
-
-    `doubtful` are the frames in doubt and their channels in doubt as a mask, {number: mask}. ({}, "") if it
-    says nothing.
+    """Return the values that the tape's rules give its `doubtful` frames, {number: mask}, and which rule;
+    ({}, "").
     """
     code = codes.recognise(frames)
     if code.sums_up(frames) is not None:

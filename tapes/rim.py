@@ -70,11 +70,7 @@ class Reading(NamedTuple):
 
 
 def decode(frames: bytes) -> dict[int, int]:
-    """Return {address: word}; where an address comes twice the later word stays, as in core.
-
-    Raises TapeError naming the frame: an empty tape, neither leader nor address, a frame out of place, a tape
-    cut short inside a word.
-    """
+    """Return {address: word}, the later of two. Raises TapeError, naming the frame, for a damaged tape."""
     reading = read(frames)
     if reading.damage:
         raise reading.damage
@@ -82,9 +78,7 @@ def decode(frames: bytes) -> dict[int, int]:
 
 
 def read(frames: bytes) -> Reading:
-    """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins: an empty tape,
-    neither leader nor address, nothing but leader.
-    """
+    """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins."""
     reading = read_whole(frames)
     if reading is None:
         start = find_start(frames)

@@ -5,9 +5,7 @@ _NO_CHARACTER = 0xFFFD
 
 
 def is_utf16(content: bytes) -> bool:
-    """Tell whether a file is text in UTF-16: its byte order mark, then characters of Latin scripts or those
-    that stand for bytes that were none.
-    """
+    """Whether a file is UTF-16: its byte order mark, then characters of Latin scripts or stray bytes."""
     if content[:2] not in (_LITTLE, _BIG):
         return False
     low, high = (0, 1) if content[:2] == _LITTLE else (1, 0)

@@ -56,10 +56,7 @@ class Literals:
             self.bottom[page] = below + 1
 
     def find(self, value: int, page: int, start: int) -> int:
-        """Return the address of a literal of a page; store it if it is not there yet.
-
-        `start` is the column where it begins.
-        """
+        """Return the address of a literal of a page, stored if new; `start` is its column."""
         known = self._here if page else self._zero
         bottom = self.bottom[page]
         found = known.get(value)

@@ -307,10 +307,7 @@ class Operators:
                 self._log.note("PN50")
 
     def _find_token(self, wanted: str, missing: Worded, blanks: bool) -> bool:
-        """Pass over what comes before a token that is wanted, or a name; return whether there is one.
-
-        `blanks` is whether blanks between are nothing; else they are illegal too.
-        """
+        """Skip to the token wanted, or to a name; return whether there is one. `blanks` may come before."""
         lexer = self._lexer
         lexer.pass_blank()
         while lexer.blank or not (lexer.token == wanted if wanted else is_letter(lexer.first)):

@@ -11,10 +11,7 @@ PLAIN, REFERENCE, MARK, PSEUDO, WEAK = 1, 2, 3, 4, 5
 
 
 class Symbol:
-    """A symbol: what it is, its value, and whether it is permanent.
-
-    `passed` is the pass that defined it last, 0 if the source does not; `where`, the line and column.
-    """
+    """A symbol: its type and value; `passed`, the last defining pass or 0; `where`, line and column."""
 
     def __init__(self, name: str, kind: int, value: int, permanent: bool) -> None:
         self.name = name

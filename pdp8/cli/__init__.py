@@ -30,9 +30,7 @@ def pal() -> None:
 
 
 def _run(module: str) -> None:
-    """Run the command whose `main` is in `module`; Ctrl-C is quiet from the first moment, while the rest is
-    being imported too.
-    """
+    """Run `main` of `module`, quiet at Ctrl-C from the first import on."""
     _keep_docstrings()
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, lambda number, _: os._exit(128 + number))

@@ -229,9 +229,7 @@ def _read(name: str) -> bytes:
 
 
 def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> None:
-    """Raise an AssemblyError where a file is a tape of data, or cannot be assembled and is a tape of another
-    kind.
-    """
+    """Raise AssemblyError for a tape of data, or for another kind of tape that does not assemble."""
     from tapes import ascii, codes
     from tapes.loaders import Words
 

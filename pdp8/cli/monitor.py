@@ -69,9 +69,7 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
 
 
 def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
-    """Answer at a terminal until quit or end of file; errors are said. While the machine runs the terminal is
-    its Teletype, and Ctrl-] stops it; a run until a text is stopped by Ctrl-C.
-    """
+    """Answer at a terminal until quit; while the machine runs it is the Teletype; Ctrl-] or Ctrl-C stops."""
     from pdp8.cli.running.keyboard import Terminal
 
     at = terminal or Terminal()
@@ -106,9 +104,7 @@ def sit_down(
     realtime: bool,
     pass_on: Callable[[], object],
 ) -> Stop | None:
-    """Run with the terminal as the Teletype until the machine stops, then return how; after Ctrl-] be its
-    monitor, then return None.
-    """
+    """Run with the terminal as the Teletype and return how it stopped; Ctrl-] opens the monitor: None."""
     from pdp8.cli.running.keyboard import Terminal
 
     terminal = Terminal(pass_on)

@@ -100,9 +100,7 @@ class Metric:
 def numbers(
     names: str, one_for_all: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return a callback that reads numbers separated by commas; with `one_for_all` a single number is all of
-    them.
-    """
+    """Return a callback that reads numbers separated by commas, one for all of them with `one_for_all`."""
     count = len(names.split(","))
 
     def read(_: click.Context, __: click.Parameter, value: str | None) -> tuple[float, ...] | None:

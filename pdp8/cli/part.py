@@ -116,9 +116,7 @@ def _is_ours(name: str) -> bool:
 
 
 def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[str, Any]]:
-    """Return the printout for an expression, or for the points of the file that it names, with the values
-    that it was made of.
-    """
+    """Return the printout for an expression, or a file of points that it names, and the values used."""
     from tapes.errors import WorkError, naming
 
     program, given = part.program(), values["expression"]

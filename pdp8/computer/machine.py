@@ -130,9 +130,7 @@ class Machine:
         self.processor.run = 0
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
-        """Put `words`, {address: word}, into core. Raises LoadError for an address past its end and for a
-        word that is not one of 0000 to 7777, and then loads nothing.
-        """
+        """Put {address: word} into core. Raises LoadError, and loads nothing, if one is out of range."""
         if isinstance(words, str):
             raise LoadError("a name: load(pdp8.assemble(pdp8.tape(NAME))) loads a source")
         words = dict(words)
@@ -146,8 +144,8 @@ class Machine:
             self.core[address] = word
 
     def start(self, address: int | None = None) -> None:
-        """Press STOP, LOAD ADD with `address` in the switches if one is given, and START; time counts from
-        here. The switch register is left as it is.
+        """Press STOP, LOAD ADD with `address` if one is given, and START; the switches stay, time starts at
+        0.
         """
         self.panel.stop()
         if address is not None:
@@ -164,10 +162,7 @@ class Machine:
         self.panel.stop()
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while the processor stands still: the Teletype goes on, and takes what came since.
-
-        Raises ValueError for a negative time and for NaN.
-        """
+        """Let the Teletype go on, the processor stopped. Raises ValueError for a time below 0 or NaN."""
         ticks = _ticks(seconds)
         if ticks == 0:
             return
@@ -204,9 +199,7 @@ class Machine:
         return Stop(reason, self.pc, self.elapsed)
 
     def _continue(self, until: int, last: int, cycles: int | None) -> Reason:
-        """Press CONT; run to tick `until` or `last` instructions in all, or for so many `cycles`; return why
-        it ended.
-        """
+        """Press CONT until a tick, an instruction or so many cycles; return why the run ended."""
         p = self.processor
         p.run = 1
         self.bus.advance(p.clock)
@@ -251,10 +244,7 @@ class Machine:
         return all_fields(self.parts())
 
     def values(self, fields: list[Field] | None = None) -> Values:
-        """Return the state as values in memory: those of `fields`, this machine's, and `core`.
-
-        A caller that takes them often can find the `fields` once, and give them.
-        """
+        """Return the state as values: `fields`, by default this machine's, and core."""
         return {"core": self.processor.core.tobytes(), **take(fields or self.fields())}
 
     def put(self, values: Values) -> None:
@@ -301,9 +291,7 @@ class Machine:
                 return
 
     def _take_breakpoints(self) -> None:
-        """Let no turn of a loop be passed over that has a breakpoint in it or touches a watched word, nor one
-        that its observer has never seen.
-        """
+        """Let no turn of a loop be skipped that has a breakpoint, touches a watched word or is unseen."""
         watch, waiting = self.watch, self.waiting
         if not watch.again:
             self._check_watched()
@@ -409,9 +397,7 @@ class Machine:
 
     @property
     def pc(self) -> int:
-        """The program counter, with the instruction field in front of it; setting it makes the next cycle a
-        FETCH.
-        """
+        """The program counter below the instruction field; setting it makes the next cycle a FETCH."""
         return self.processor.extension.inst_field | self.processor.pc
 
     @pc.setter

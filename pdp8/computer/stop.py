@@ -38,10 +38,7 @@ class Why(NamedTuple):
 
 
 class Stop(NamedTuple):
-    """The end of a run: `pc` is the address of the next instruction, `elapsed` the seconds since START.
-
-    `why` is empty unless `use.ending.explained` has looked into it.
-    """
+    """How a run ended: `pc` comes next, `elapsed` seconds since START, `why` of `use.ending`."""
 
     reason: Reason
     pc: int

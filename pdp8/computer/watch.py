@@ -22,10 +22,7 @@ class Observer(Protocol):
 
 
 class Watch:
-    """The breakpoints of a machine, and its observer.
-
-    `again`: what is run was run before, watched by another.
-    """
+    """The breakpoints and the observer of a machine; `again` is true while a recorded run is repeated."""
 
     def __init__(self, again: bool = False) -> None:
         self.again = again
@@ -47,9 +44,7 @@ class Watch:
         return bool(self.writes or self.reads or self.observer)
 
     def instruction(self, processor: Processor) -> None:
-        """Run one instruction, or the cycles of an interrupt or a break, and look at each of its cycles; SING
-        STEP may be thrown in one.
-        """
+        """Run one instruction, interrupt or break, looking at each cycle; SING STEP may act within."""
         self.reached = False
         self.written.clear()
         self.read.clear()

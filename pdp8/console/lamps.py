@@ -46,8 +46,8 @@ _STATES = (
 
 
 class Columns(NamedTuple):
-    """How many columns stand before the first lamp, a lamp and its switch take, and the words beside lamps of
-    the states; and whether that is much.
+    """The columns before the first lamp, for a lamp and switch, and for a state's words; whether they are
+    wide.
     """
 
     label: int

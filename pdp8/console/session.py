@@ -168,10 +168,7 @@ class Session:
         self.machine.sr ^= 0o4000 >> bit
 
     def lock(self, switch: str) -> None:
-        """Throw MEM PROT or SING STEP, named as the Panel's attribute is: mem_prot, sing_step.
-
-        A turn ends with an instruction; a hand that stops the machine comes in any cycle.
-        """
+        """Throw `mem_prot` or `sing_step`, as Panel calls them, between two instructions."""
         panel = self.machine.panel
         if switch == "sing_step" and panel.lamps.run:
             self.machine.run(cycles=randrange(3))

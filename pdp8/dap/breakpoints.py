@@ -111,9 +111,7 @@ class Point:
         return body | {"instructionReference": reference(self.address)}
 
     def stops(self, now: int, say: list[str]) -> bool:
-        """Tell whether the run that has come to it, after `now` instructions, stops; a log message is said
-        instead.
-        """
+        """Whether a run that reaches it after `now` instructions stops; a log message is said instead."""
         if self.asked.get("hitCondition") and (self._condition is None or self._condition()):
             self._hits[bisect_left(self._hits, now) :] = [now]
         if not self._met(now):
@@ -162,9 +160,8 @@ class Breakpoints:
         source: str,
         asked: Sequence[tuple[object, Body]],
     ) -> list[Body]:
-        """Set what is `asked` for, each with its key, in place of all others of the kind and source.
-
-        Returns the breakpoints as the editor is told of them; one that was there keeps its number.
+        """Replace all breakpoints of a kind and source by those `asked`; return them, old ones with their
+        numbers.
         """
         before = {point.key: point.number for point in self._set.get((kind, source), ())}
         points: dict[object, Point] = {}

@@ -26,10 +26,7 @@ _STANDS = (Reason.HALT, Reason.PROTECT)
 
 
 class Halt(NamedTuple):
-    """Why the machine stands: the protocol's reason, a sentence, the numbers of the breakpoints.
-
-    While the program only waits for a key or a tape it is not said to stand: then the reason is "".
-    """
+    """The protocol's reason for a halt, "" while only a key or tape is awaited, a sentence, breakpoints."""
 
     reason: str
     description: str = ""

@@ -66,10 +66,7 @@ class Launch:
                     raise WorkError(f"punch: {self.punch} is read too; name another file")
 
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
-        """Return a machine at its monitor, loaded and started but not run, and its program. Raises WorkError.
-
-        `say` takes what the monitor says.
-        """
+        """Return a machine loaded and started, and its program; `say` takes messages. Raises WorkError."""
         found = shelf.program(self.program[0]) if len(self.program) == 1 else shelf.programs(self.program)
         machine = Machine()
         fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))

@@ -56,11 +56,7 @@ class Wire:
         return not self._come.empty()
 
     def receive(self) -> Body | None:
-        """Return the next message, waiting for it; None at the end.
-
-        Raises MessageError for one that is not a JSON object, after which others may come; WorkError where
-        the stream itself makes no sense any more.
-        """
+        """The next message, None at the end. Raises MessageError for one bad message, WorkError for all."""
         message = self._come.get()
         if isinstance(message, WorkError):
             raise message

@@ -67,10 +67,7 @@ WANTED = {
 
 
 def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[str, str]:
-    """Return what happened where the end is not as wanted, and what is said of it.
-
-    `trial` is of the START that the outcome is of, `whole` that of the first one.
-    """
+    """What happened and its message where `trial`'s end is wrong; `whole` is the first START's trial."""
     stop, first = outcome.stop, start(answer, trial)
     if stop.reason is Reason.BREAKPOINT:
         if outcome.instructions == 0:

@@ -100,9 +100,7 @@ NAMES = ("rim", "deposit", "examine", "boot")
 
 
 def find(name: str, tapes: Sequence[tuple[str, Mapping[int, int]]]) -> Drill:
-    """Return the drill called `name`, one of NAMES. Of the BIN loader's tape and of a program's, which `boot`
-    needs, `tapes` has the names and the words.
-    """
+    """The drill of NAMES called `name`; `boot` takes BIN's tape and the program's words from `tapes`."""
     if name == "rim":
         return Drill(name, "Toggle the RIM loader in", tuple(_words(RIM_START, RIM)))
     if name == "deposit":
@@ -151,10 +149,7 @@ class Coach:
         self._still = 0.0
 
     def allows(self, key: str) -> bool:
-        """Tell whether `key` is the card's next one, with the switches right; if not, say what is wrong.
-
-        What is allowed must then be pressed.
-        """
+        """Whether `key` is the card's next one with the switches right, to be pressed now; else say why."""
         self.begun = True
         if self.done:
             return True

@@ -51,9 +51,7 @@ def of_words(place: str, seen: Sequence[Word]) -> str:
 
 
 def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) -> dict[str, int]:
-    """Return what a word may be, by its formula, which may be `by_wanted`: by what it should be. Numbers are
-    those that fit the first.
-    """
+    """Return the formulas that a word fits, `by_wanted` those of the expected word; numbers fit the first."""
     found: dict[str, int] = {}
     wanted, values = seen.expected, seen.inputs
     for name in names:

@@ -103,10 +103,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Exercise:
-    """A whole exercise; `mistakes` are by what a student did: a piece of the solution, and what he wrote.
-
-    A student's form has neither solution nor mistakes; `others` are the hidden cases that it leaves out.
-    """
+    """An exercise; a student's form has no solution, no mistakes, and names hidden cases (`others`)."""
 
     name: str
     title: str

@@ -34,10 +34,7 @@ def title(name: str) -> str:
 
 
 def read(name: str, seed: int = SEED) -> Exercise:
-    """Return the exercise in file `name`, or the bundled one; random cases by `seed`.
-
-    Raises ExerciseError, ShelfError.
-    """
+    """The exercise in file `name`, or bundled; `seed` draws its cases. Raises ExerciseError, ShelfError."""
     stem = name.removesuffix(".toml").removesuffix(".json")
     path = name
     if stem in bundled() and (os.path.isdir(name) or not os.path.exists(name)):
@@ -58,10 +55,7 @@ def variant(name: str, seed: int) -> int:
 
 
 def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
-    """Return the exercise that `text` says, called `name`; the files it names are in `folder`.
-
-    Raises ExerciseError.
-    """
+    """Return the exercise in `text`, which may name files in `folder`. Raises ExerciseError."""
     try:
         if any(_DEEP.fullmatch(line.partition("=")[0]) for line in lines_of(text)):
             raise RecursionError

@@ -24,10 +24,7 @@ _TOGETHER = 6
 
 @dataclass(frozen=True)
 class Failure:
-    """One thing that is not as expected; a tape's is shown as holes, any other's as text.
-
-    `happened` is diagnosis's word for it. Both values are empty in a hidden case.
-    """
+    """One wrong result, a tape's as holes; `happened` is diagnosis's word; hidden cases have no values."""
 
     what: str
     expected: str | bytes
@@ -37,10 +34,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class Mark:
-    """What one case or question brought; `inputs` are those of the trial that failed.
-
-    Of what is `given` nothing says whether it is right.
-    """
+    """What one case or question brought, with its failed trial's `inputs`; `given` answers are not marked."""
 
     name: str
     points: int
@@ -143,10 +137,7 @@ def _cases(exercise: Exercise, answer: Answer) -> list[Mark]:
 
 @dataclass(frozen=True)
 class Failed:
-    """A START after which not all is as expected: its trial, what it brought, what is wrong.
-
-    `whole` is the trial with all its STARTs.
-    """
+    """A START with a wrong result: its trial, outcome, failures; `whole`: the trial with all STARTs."""
 
     whole: Trial
     trial: Trial

@@ -25,9 +25,7 @@ _BEHIND = re.compile(r"\.[-+]\d")
 
 
 def slips(source: str) -> Iterator[tuple[str, str]]:
-    """Yield each program that has one slip, after what the slip is: an instruction is left out or doubled or
-    comes after its neighbour, one symbol stands for another, a number is wrong by 1.
-    """
+    """Yield (slip, program): an instruction omitted, doubled or swapped, a wrong symbol or number."""
     lines = lines_of(source)
     tags = [found["tag"].rstrip(",") for line in lines if (found := _LINE.fullmatch(line)) and found["tag"]]
     for at, line in enumerate(lines):
@@ -66,9 +64,7 @@ def _instead(word: str, tags: list[str]) -> list[str]:
 
 
 def restatements(source: str, kept: set[str], longer: bool, elsewhere: bool) -> Iterator[tuple[str, str]]:
-    """Yield the same program written otherwise, after in which way: the tags in `kept` stay; where it may be
-    `longer`, with more instructions; and `elsewhere`, if nothing is put there.
-    """
+    """Yield (how, program) written otherwise; tags in `kept` stay; `longer`, `elsewhere` allow more."""
     plain = "\n".join(line.partition("/")[0].rstrip() for line in lines_of(source)) + "\n"
     yield "in lower case", source.lower()
     yield "with CR LF", source.replace("\n", "\r\n")

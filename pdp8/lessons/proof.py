@@ -30,9 +30,7 @@ def solution(exercise: Exercise) -> Result:
 
 
 def mistakes(exercise: Exercise) -> Iterator[tuple[str, Result]]:
-    """Yield each wrong answer the exercise knows with its marks: the solution after one mistake, or a sheet
-    after one slip. Raises ExerciseError where a mistake does not change one place of the solution.
-    """
+    """Yield each known mistake with its marks. Raises ExerciseError if it does not fit the solution once."""
     for what, (piece, instead) in exercise.mistakes.items():
         if exercise.solution.count(piece) != 1 or piece == instead:
             count = exercise.solution.count(piece)
@@ -72,9 +70,7 @@ def restated(exercise: Exercise) -> list[tuple[str, Result]]:
 
 @dataclass(frozen=True)
 class Slips:
-    """Slips of a solution: how many there are, how many were tried, and those taken for right: by luck, with
-    the exercise's seed and not with another, or with all of them.
-    """
+    """The number of slips, those tried, and those taken for right: by the seed's luck, or with all seeds."""
 
     number: int
     tried: int

@@ -46,9 +46,7 @@ class Outcome(NamedTuple):
 
 
 class Looks:
-    """What a program does beside its results: how often each word is executed or called, from where each is
-    called, and through which words it goes.
-    """
+    """How often each word is executed or called, from where, and through which words it goes."""
 
     def __init__(self) -> None:
         self.executed: dict[int, int] = {}
@@ -95,9 +93,7 @@ def start(answer: Answer, trial: Trial) -> int:
 
 
 def run(answer: Answer, trial: Trial) -> list[Outcome]:
-    """Run `answer`, which has the tags the trial needs, as the trial says; return what the last of its
-    `starts` brought, and then each `again`.
-    """
+    """Run `answer` as the trial says; return what the last of its `starts` brought, then each `again`."""
     tried = Tried(answer, trial)
     outcomes = [tried.outcome(number) for number in range(len(tried.starts))]
     return outcomes[trial.starts - 1 :]
@@ -219,9 +215,7 @@ def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
 
 
 def _fill(trial: Trial) -> list[int]:
-    """Return core full of words drawn by the inputs of a trial; through every other one a program writes over
-    itself.
-    """
+    """Return core full of random words, every other one a pointer to the program's own words."""
     seed = trial.sr + len(trial.keys)
     for number in (*trial.reader, *[word for word in trial.deposit.values() if isinstance(word, int)]):
         seed = (seed * 31 + number) % (1 << 31)

@@ -146,9 +146,7 @@ def _plain(text: str) -> str:
 
 
 def _words(text: str) -> list[str]:
-    """Return the words of a text without what does not matter: case, marks, leading zeros, the commas and
-    blanks between thousands or single digits.
-    """
+    """Return a text's words without case, marks, leading zeros, or blanks and commas within numbers."""
     plain = _plain(text)
     for mark in ",?!;:()[]`'\"":
         plain = plain.replace(mark, " ")

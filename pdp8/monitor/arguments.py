@@ -29,9 +29,7 @@ class Quoted(str):
 
 
 def command(line: str) -> tuple[str, str]:
-    """Return the name of a command, "" for none, and what stands after it; a line that begins with ; is a
-    comment, as at SIMH.
-    """
+    """Return a command's name, "" for none or a comment (;), and what comes after it."""
     name, *_ = line.partition("#")[0].split() or ("",)
     name = "" if name[:1] in (";", ":") else name
     return name, line.lstrip()[len(name) :]

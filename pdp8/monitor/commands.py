@@ -36,8 +36,8 @@ _AT_SIMH = {
 
 
 class Command(NamedTuple):
-    """A command: its name, what comes after it, what it does, what was expected where too little or too much
-    comes, and how what comes is made words.
+    """A command: name, operands, action, what is missing if they are too few or many, and how words are
+    split.
     """
 
     name: str

@@ -174,9 +174,7 @@ def _named(text: str) -> str:
 
 
 def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:
-    """Run for at most `limit` seconds; yield after each slice. Change tapes as the reader runs out; press
-    STOP when `monitor.stopping` is set.
-    """
+    """Run for `limit` seconds at most, in slices; change tapes, and press STOP when `monitor.stopping`."""
     machine = monitor.machine
     end = machine.ticks + round(limit * TICKS_PER_SECOND)
     monitor.stopping = False

@@ -12,10 +12,7 @@ from tapes.quantities import inches
 
 
 class Afternoon(Day):
-    """The day of the part program `part`, whose walls are measured.
-
-    `inspection` is None where the part follows no curve that could be inspected.
-    """
+    """The day of `part`, whose walls are measured; `inspection` is None without a curve to compare with."""
 
     def __init__(self, part: str, tell: Callable[[Act], object]) -> None:
         self.made = find(part)
@@ -42,10 +39,7 @@ class Afternoon(Day):
 
 
 def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> Afternoon:
-    """Do the whole afternoon for the part program `part`; `tell` is called with each act when it is done.
-
-    Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
-    """
+    """Do the whole afternoon of `part`; `tell` hears each act. Raises WorkError as 1971 would have."""
     afternoon = Afternoon(part, tell)
     for _ in afternoon.through():
         pass

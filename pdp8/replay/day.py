@@ -72,9 +72,7 @@ class Kind(StrEnum):
 
 
 class Act(NamedTuple):
-    """A part of the afternoon, in ticks since it began.
-
-    `program` is the one that runs in the PDP-8/L, or ""; `outcome` is its result; `real` is in seconds of
+    """A part of the afternoon, in ticks from its start; `program` runs in the PDP-8/L; `real` is seconds
     today.
     """
 
@@ -103,10 +101,7 @@ class Judgement(NamedTuple):
 
 @dataclass(frozen=True)
 class Course:
-    """A finished day: what the operator did and when, and the results.
-
-    `tapes` by name; `mill_starts` is the tick at which the Hydra-Point began to read.
-    """
+    """A finished day: what the operator did when, the results, the tapes by name, the mill's first tick."""
 
     part: str
     acts: Sequence[Act]
@@ -163,10 +158,7 @@ class Day:
         self.began = monotonic()
 
     def through(self) -> Iterator[None]:
-        """Do the whole day; yield from time to time, so that the caller can look or stop.
-
-        Raises WorkError, naming its place, where something goes wrong, as it would have in 1971.
-        """
+        """Do the whole day, yielding now and then. Raises WorkError where 1971 would have failed."""
         yield from self._punch()
         yield from self._toggle()
         yield from self._load_bin()

@@ -38,10 +38,8 @@ def _minutes(printout: str, feed_code: int | None = None, feed_error: float = 0.
 
 
 def rivals() -> Iterator[list[str]]:
-    """Yield the cells of Table 10.1: blocks, minutes a pass, seconds a block; and what each rival predicts.
-
-    The rivals are the tape's own time, 3 s a block, and the machining of our tape at 1 in/min, for the
-    piece-wise technique at the feeds of our tape.
+    """Yield each cell of Table 10.1 with its rivals: the tape's own time, 3 s a block, ours at 1 in/min or
+    its feeds.
     """
     for name, row in TABLE_10_1.items():
         cells = {
@@ -72,9 +70,8 @@ def feeds() -> Iterator[list[str]]:
 
 
 def ranges() -> Iterator[list[str]]:
-    """Yield the polynomial's blocks over each range in quarter inches that crosses the axis three times.
-
-    Ranges of more than the 10 in of the table along Y are left out.
+    """Yield the blocks of each range in quarter inches, up to 10 in along Y, with three crossings of the
+    axis.
     """
     program, said = PARTS["polynomial"].program(), TABLE_10_1["polynomial"].step.blocks
     for first, last in product((-0.25, -0.5, -0.75, -1.0), (6.25, 6.5, 6.75)):

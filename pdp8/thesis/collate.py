@@ -44,10 +44,7 @@ def conjectures() -> dict[str, Conjecture]:
 
 
 def answers(text: str | None = None) -> dict[str, str]:
-    """Return what the pages have by the names of the conjectures; without `text`, from scan/answers.txt.
-
-    Raises WorkError for a line that is no answer.
-    """
+    """Return what pages have for each conjecture, by default of scan/answers.txt. Raises WorkError."""
     known, given = conjectures(), dict[str, str]()
     for number, line in enumerate(lines_of(_text("scan/answers.txt") if text is None else text), 1):
         if not line.strip() or line.startswith("#"):

@@ -32,11 +32,7 @@ _FEATURES = (
 
 
 def element() -> str:
-    """Figure 8.1: the outline of the element, ten times full size.
-
-    The outline lies half a cutter outside of the path of the cutter's centre: the path is stroked as wide as
-    the cutter in ink, and again, a line narrower, in the colour of the cavity.
-    """
+    """Figure 8.1: the element ten times full size, the cutter's path stroked as wide as the cutter."""
     main = [place for segment in fluidic.outline() for place in _points(segment)]
     right = [place for segment in fluidic.channel(0) for place in _points(segment)]
     paths = main, right, [(-x, y) for x, y in right]

@@ -16,11 +16,7 @@ _DARK = 128
 
 
 def find(conjecture: Conjecture, picture: bytes) -> tuple[int, int, bool] | None:
-    """Return the first and the last row of pixels of the conjecture's line on a picture of its page.
-
-    The third is whether it is sure: as many rows of ink as lines. None if its place is no line of a listing.
-    Raises TapeError where the picture cannot be read.
-    """
+    """The first and last row of pixels of a conjecture's line, and whether it is sure; None off listings."""
     texts = (page for each in HEADINGS for page in facsimile(each).partition("\n\n")[2].split("\f"))
     pages = [page.replace("Ø", "0").replace("[", "").replace("]", "").strip() for page in texts]
     lines = lines_of(next((page for page in pages if page.split()[-1] == conjecture.page), ""))

@@ -26,10 +26,7 @@ _LABEL = re.compile(r"(\d{2,3}) (?=\S)")
 
 
 def pal_line(scan: str) -> tuple[str, str]:
-    """Return a line of a PAL listing as its eight octal digits, address and word, and its source.
-
-    A line that opens with `/` or `*` has no digits.
-    """
+    """Return a PAL listing's line as eight octal digits, "" if it opens with `/` or `*`, and its source."""
     words = [word for word in scan.split() if word not in _PAL_DIRT and word.strip("•")]
     if words and words[0][0] in "/*":
         return "", " ".join(words)
@@ -40,10 +37,7 @@ def pal_line(scan: str) -> tuple[str, str]:
 
 
 def fortran_line(scan: str) -> str:
-    """Return a line of a FORTRAN listing as number, label, statement and note, one space between them.
-
-    Number and note may be on either side of the statement in the scan.
-    """
+    """Return a FORTRAN listing's line as number, label, statement and note, on whichever side they are."""
     text = _FORMULA.sub(lambda formula: formula[1].replace(" ", ""), scan)
     text = _BOLD.sub(r"\1", text.replace("\\emptyset", "Ø").replace("\\bullet", "•"))
     text = " ".join(word for word in text.replace("Ø", "0").split() if word not in _FORTRAN_DIRT)

@@ -57,10 +57,7 @@ def _pal_shown(scan: str, *, second: bool) -> tuple[str, str]:
 
 
 def _unlike(shown: str, ours: str) -> list[bool]:
-    """Return for each character of `ours` whether the scan lacks it.
-
-    Text of the same length is compared place by place, other text by its longest common runs.
-    """
+    """Return for each character of `ours` whether the scan lacks it, by place or by longest common runs."""
     if len(shown) == len(ours):
         return [one != other for one, other in zip(shown, ours, strict=True)]
     lacks = [True] * len(ours)

@@ -37,10 +37,7 @@ def part(name: str, close_at: tuple[float, float], zoom: tuple[float, float]) ->
 
 
 def die_tape() -> bytes:
-    """Return the joined tape: opening, corner rounding, groove.
-
-    The blank frame that each translation begins with is cut off: between two tapes it would be a digit 0.
-    """
+    """Return the joined tape: opening, rounding, groove, without the blank frames that would be digits 0."""
     cuts = ("opening", "rounding", "groove")
     return b"".join(chain.translated(chain.printout("die", cut=cut)).lstrip(b"\0") for cut in cuts)
 

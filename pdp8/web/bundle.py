@@ -57,9 +57,7 @@ def modules(entry: str) -> dict[str, str]:
 
 
 def scripts(entry: str) -> tuple[str, str]:
-    """Return two scripts: the module `entry` and all it imports, which stands at the end and is done at once;
-    and those that it imports later.
-    """
+    """Return two scripts: `entry` with what it imports, which runs at once, and what it imports later."""
     first = modules(entry)
     text = first.pop(_HERE + entry)
     every = dict(first)

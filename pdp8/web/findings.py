@@ -20,9 +20,7 @@ class Said(NamedTuple):
 
 
 class Findings(NamedTuple):
-    """What became of a source: `places` are line, address and word; the first diagnostics, and how many
-    `more`; a sentence on the whole.
-    """
+    """What became of a source: line, address, word of places; the first diagnostics; a sentence on all."""
 
     ok: bool
     tape: bytes

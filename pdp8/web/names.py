@@ -62,9 +62,7 @@ def _called(given: str, called: set[str]) -> Iterator[str]:
 
 
 def needed(text: str, used: Iterable[str], called: Iterable[str]) -> str:
-    """Return the runtime without what neither `used` nor the rest of it needs, and without methods of types
-    that are not `called`.
-    """
+    """Return the runtime without functions that nothing uses and methods that are not `called`."""
     methods = {*re.findall(r"\.(\w+)", text), *called}
     text = _GIVEN.sub(lambda given: "".join(_called(given[0], methods)), text)
     parts = _PART.split(text)

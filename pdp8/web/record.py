@@ -134,9 +134,7 @@ def _written(value: Any, tapes: Mapping[str, bytes]) -> Any:
 
 
 def _wall(inspection: Inspection) -> dict[str, Any]:
-    """Return where a wall goes furthest from trough to peak: the place, which way is outward, and the two
-    lines along the curve between which it goes.
-    """
+    """Where a wall goes furthest from trough to peak: the place, outward, and the two lines around it."""
     worst, walls = inspection.worst, inspection.walls
     stations, error = walls.stations, walls.by_name[worst.wall]
     low, high = (int(np.nanargmin(abs(error - level))) for level in (worst.lowest, worst.highest))

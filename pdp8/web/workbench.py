@@ -25,9 +25,7 @@ _DESK = ("exercises", "figures", "graph", "parts")
 
 
 def page(view: tuple[str, bytes] | None = None, afternoon: "Afternoon | None" = None, url: str = "") -> str:
-    """Return the whole page; with `view`, the name and frames of an EIA tape, opened at the Hydra-Point; with
-    an `afternoon`, opened at that. The links that it gives begin with `url`, if that is not empty.
-    """
+    """Return the whole page, opened with `view` (an EIA tape), or an `afternoon`; links begin with `url`."""
     first = record(view, afternoon) | {"url": url}
     more = {name: first.pop(name) for name in _DESK}
     first |= {"html": bundle.included("bench.html"), "style": "".join(map(bundle.source, _STYLES))}

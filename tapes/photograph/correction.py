@@ -67,9 +67,7 @@ class Reading:
 
     @property
     def frames(self) -> list[tuple[int, Frame, str]]:
-        """Return each frame with its number on the tape and the name of its picture. One that is sure by its
-        holes is doubtful where the tape's own redundancy says that it is wrong.
-        """
+        """Each frame with its number and picture's name, doubtful if its holes or the tape's rules say so."""
         return [(number, frame, self.strips[strip - 1][0]) for number, frame, strip in self._tape]
 
     @property

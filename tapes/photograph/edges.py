@@ -31,10 +31,7 @@ class Side(NamedTuple):
 
 
 def find_side(flat: Flat, sheet: Sheet) -> Side:
-    """Return which track is the sprocket track and on which side of it three channels are.
-
-    Raises TapeError if the paper's edges or the holes do not lie as those of a tape do.
-    """
+    """Which track has the sprockets and the side of three channels. Raises TapeError for edges of no tape."""
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)
     limit = 0.5 * np.median(flat.take(spots, u, 0 * u))
@@ -95,9 +92,7 @@ def _paper(flat: Flat, sheet: Sheet) -> _Paper:
 
 
 def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[Array, Array]:
-    """Return the light from inside to outside an edge, between each two rows: (rows, places), as a part of
-    the paper's; and which have an edge there.
-    """
+    """The light across an edge between each two rows, (rows, places), over the paper's; and where one is."""
     rows = (paper.u[:, None] + np.array([-0.1, 0, 0.1]))[:, :, None]
     places = edge + outward * _PROFILE
     profile = flat.take(flat.light, *np.broadcast_arrays(rows, places)).mean(axis=1) / paper.light[:, None]

@@ -19,9 +19,8 @@ BEYOND = 3.5
 
 
 class Flat(NamedTuple):
-    """A picture of a sheet as if it lay flat: SAMPLES a pitch, from row -BEYOND and track -`reach` on.
-
-    `light` as it is; `dark`, how much darker than the paper around, as a part of its light.
+    """A sheet as if flat, SAMPLES a pitch, from row -BEYOND and track -`reach` on; `dark`: relative to the
+    paper.
     """
 
     light: Array

@@ -71,9 +71,7 @@ def _first(pictures: Sizes, row: Row) -> Sheet:
 
 
 def _likeliest(depth: Array, states: Array) -> Array:
-    """Return for each row which state (n, 2) fits best if it changes little from row to row: of all paths,
-    the one that gathers most of `depth` (rows, n).
-    """
+    """For each row the state (n, 2) of the path that gathers most `depth` (rows, n) with small changes."""
     rows = np.arange(0, len(depth), _EVERY)
     gathered = cv2.blur(depth, _AROUND, borderType=cv2.BORDER_REFLECT)[rows]
     score = gathered / (gathered.max() - np.median(gathered) + 1e-9)

@@ -29,10 +29,7 @@ class Found(NamedTuple):
 
 
 def find(pictures: Sizes, row: Row) -> Found:
-    """Return the tape whose sprocket holes, or one of whose code tracks, are in a row.
-
-    Raises TapeError, which says what is not as on a tape.
-    """
+    """The tape with sprockets or a code track in the row. Raises TapeError, naming what no tape has."""
     sheet = by_holes(pictures, row)
     side = find_side(flatten(pictures, sheet, FULL), sheet)
     if side.track:
@@ -68,10 +65,7 @@ def _refined(pictures: Sizes, sheet: Sheet, row: Row) -> tuple[Sheet, Flat, Arra
 
 
 def _longer(flat: Flat, sheet: Sheet, row: Row, pictures: Sizes) -> tuple[Row, int]:
-    """Return the row with sprocket holes that are seen beyond its ends, and how many were put before it.
-
-    Beyond the picture nothing is seen: its border, which goes on there as it is, looks like holes.
-    """
+    """The row with sprocket holes seen beyond its ends, within the picture; how many come before it."""
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)
     limit = 0.5 * np.median(flat.take(spots, u, 0 * u))

@@ -45,9 +45,8 @@ def shown(picture: bytes) -> bytes:
 
 
 def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> Array:
-    """Return the light at places between the pixels; beyond the picture it is that of its edge.
-
-    `x` and `y` are in pixels, of the shape of what is returned; `how` is one of OpenCV's interpolations.
+    """Return the light at places between pixels, `x` and `y`, by OpenCV's method `how`; beyond the edge, the
+    edge's.
     """
     places = x.astype(np.float32), y.astype(np.float32)
     return np.asarray(cv2.remap(picture, *places, how, borderMode=cv2.BORDER_REPLICATE))

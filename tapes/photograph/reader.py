@@ -80,8 +80,8 @@ class Frame(NamedTuple):
 
 
 class Strip(NamedTuple):
-    """A strip of tape in a picture: its frames as they are read, whether the tape leaves the picture before
-    the first and after the last of them, and why it cannot be read, or "".
+    """A strip of tape: its frames, whether the tape leaves the picture at either end, why it is unreadable or
+    "".
     """
 
     frames: list[Frame]
@@ -98,9 +98,8 @@ class Strip(NamedTuple):
 
 
 def read(picture: bytes, underside: bool = False) -> list[Frame]:
-    """Return the frames of the tape in a picture, strip after strip; those that cannot be read are left out.
-
-    Raises TapeError where no strip can be read, and as `strips` does.
+    """Return the frames of each readable strip. Raises TapeError where no strip can be read, and as `strips`
+    does.
     """
     found = strips(picture, underside)
     if all(strip.why for strip in found):
@@ -157,9 +156,7 @@ def _sure(strips: list[Strip]) -> int:
 
 
 def _strips(light: Array) -> tuple[list[Strip], list[Strip], str]:
-    """Return the strips in which holes are dark, the rows that are on none of them, and if there are none,
-    why the likeliest row is not one.
-    """
+    """The strips with dark holes, the rows on none, and without strips why the likeliest row is no tape."""
     pictures = sprockets.sizes(light)
     found: list[tuple[Sheet, Array, Strip]] = []
     why: list[str] = []

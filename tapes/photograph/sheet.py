@@ -89,9 +89,7 @@ class Sheet(NamedTuple):
 
 
 class Points(NamedTuple):
-    """Places that were seen: row and track of each, pixels, the direction (a unit vector) along which its
-    distance from the sheet counts, and how much it counts.
-    """
+    """Places seen: row, track, pixels, the unit vector along which the distance counts, and its weight."""
 
     u: Array
     v: Array

@@ -175,9 +175,7 @@ def _expected(known: list[tuple[int, Array]], at: int) -> tuple[Array, Array]:
 
 
 def measured(pictures: Sizes, place: Array, step: Array) -> tuple[Array, float]:
-    """Return the middle of the hole that is nearest to `place`, and how much darker it is than around it, as
-    a part of the light there. `step` leads to the next hole.
-    """
+    """The centre of the hole nearest to `place`, its relative darkness; `step` leads to the next hole."""
     picture, scale = pictures.for_step(float(np.hypot(*step)))
     along = step / _SAMPLES
     across = np.array([-along[1], along[0]])

@@ -37,8 +37,8 @@ Strips = Mapping[int, Sequence[Frame]]
 
 
 class Piece(NamedTuple):
-    """A part of the tape: its frames, each with the number of the strip that shows it, and where each of its
-    strips begins, {number: frame}.
+    """A part of the tape: its frames with the strip that shows each, and where each strip begins, {number:
+    frame}.
     """
 
     frames: list[tuple[Frame, int]]
@@ -109,8 +109,8 @@ def _seen(strips: Strips) -> dict[int, _Seen]:
 
 
 class _Match(NamedTuple):
-    """How many bits two strips say at the likeliest shift of those that fit, and at any other; which say
-    enough; and which shifts fit, from the `longest` on.
+    """The agreeing bits at the best shift and at any other; which are enough; which shifts fit, from
+    `longest` on.
     """
 
     said: float

@@ -22,10 +22,7 @@ _PIECE = 1 << 16
 
 
 class Feed:
-    """The tapes `names` for `reader`, one after another; the next goes in as the one before has run out.
-
-    While a pipe is silent, `idle` is called now and then; it returns whether to give up.
-    """
+    """Tapes for `reader`, put in in turn; while a pipe is silent `idle` tells whether to give up."""
 
     def __init__(self, reader: Reader, names: list[str], quiet: bool = False) -> None:
         self.idle: Callable[[], bool] = lambda: False
@@ -63,8 +60,8 @@ class Feed:
         return ", ".join(map(called, self._names))
 
     def look(self, now: int, halted: bool) -> None:
-        """Say once where the first frame of a tape without leader has come in by tick `now` and is not taken:
-        START sets READER RUN, and a program that clears the reader first never sees that frame.
+        """Say once that a tape's first frame came in unused: START sets READER RUN before a program clears
+        it.
         """
         reader, receiver = self._reader, self._reader.device
         if self._looked or reader.position != 1 or not isinstance(receiver, Receiver):
@@ -136,10 +133,7 @@ def _unread() -> bool:
 
 
 def _pipe(name: str) -> int:
-    """Return the file number of a tape that comes as it is made, -1 for one that is whole.
-
-    Windows cannot wait for a pipe: there every tape is read whole.
-    """
+    """Return the file number of a pipe, -1 for a tape that is read whole, as all are on Windows."""
     if sys.platform == "win32":
         return -1
     if name == "-":

@@ -27,10 +27,7 @@ _LOOK = 0.01  # seconds between two looks at the keys
 
 
 class Terminal:
-    """A terminal as the Teletype of whatever machine is run, with what is said of it between the lines.
-
-    `pass_on` is called after each slice of a run.
-    """
+    """A terminal as a machine's Teletype, with messages between its lines; `pass_on` is called each slice."""
 
     def __init__(self, pass_on: Callable[[], object] = lambda: None) -> None:
         self._pass_on = pass_on
@@ -43,9 +40,7 @@ class Terminal:
         realtime: bool = False,
         next_tape: Callable[[], object] = lambda: None,
     ) -> tuple[Stop, bool]:
-        """Run until the machine stops or Ctrl-] is typed, which is STOP; return how the run ended, and
-        whether by that. `next_tape` is called where the reader has run out.
-        """
+        """Run until a stop or Ctrl-]; return how it ended and whether so. `next_tape` feeds the reader."""
         keys = create_input()
 
         def take(seconds: float) -> bytes | None:

@@ -29,9 +29,7 @@ assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
 
 
 class Line:
-    """A line by which somebody is at the Teletype; `bits` 7 makes keys of what comes and characters of what
-    goes out, 8 leaves the frames as they are.
-    """
+    """A line to somebody at the Teletype: of 7 `bits` as keys and characters, of 8 as frames."""
 
     def __init__(self, bits: int = 8, full_speed: bool = False) -> None:
         self._bits = bits
@@ -211,9 +209,7 @@ class Serial(Line):
 
 
 def opened(name: str, bits: int | None = None, full_speed: bool = False) -> Line:
-    """Return the line called tcp:PORT, tcp:ADDRESS:PORT, of 7 bits if nothing is said; or by the path of a
-    serial port or pty, of 8.
-    """
+    """Return the line tcp:PORT or tcp:ADDRESS:PORT, by default of 7 bits; a serial port or pty, of 8."""
     if name.startswith("tcp:"):
         return Tcp(name.removeprefix("tcp:"), bits or 7, full_speed)
     return Serial(name, bits or 8, full_speed)

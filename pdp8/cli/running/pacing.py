@@ -37,9 +37,7 @@ class Interrupt:
 
 @contextmanager
 def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[Interrupt]:
-    """Note Ctrl-C as `pressed`, and call `on_press`, instead of breaking off at once. The second one raises
-    KeyboardInterrupt, for code that does not look.
-    """
+    """Note the first Ctrl-C as `pressed` and call `on_press`; the second raises KeyboardInterrupt."""
     noted = Interrupt()
 
     def press(number: int, frame: FrameType | None) -> None:
@@ -62,10 +60,7 @@ def live(
     take: Callable[[float], bytes | None],
     realtime: bool = True,
 ) -> Stop | None:
-    """Run with somebody at the Teletype; return how it ended, None where `take` does.
-
-    `take` returns what is typed, waiting for it at most the seconds it is given.
-    """
+    """Run with a Teletype's user; return how it ended, None if `take`, which waits for keys, ends it."""
     began = time.monotonic() - machine.elapsed
     for stop in machine.slices(max_time, *_REALTIME, through_waits=True):
         pass_on()

@@ -18,10 +18,7 @@ from tapes.errors import visible
 
 @contextmanager
 def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
-    """Write what `machine` executes meanwhile into file `name`, or to standard output for `-`.
-
-    Raises ShelfError.
-    """
+    """Write what `machine` executes inside into file `name` or `-`. Raises ShelfError."""
     if name == "-":
         with _observed(machine, sys.stdout, listing):
             yield
@@ -52,9 +49,7 @@ def _observed(machine: Machine, file: TextIO, listing: Listing) -> Iterator[None
 
 @contextmanager
 def counting(machine: Machine, listing: Listing, table: bool, annotate: str | None) -> Iterator[None]:
-    """Count what `machine` does meanwhile; at the end show the `table` on standard error, write the
-    annotated listing into the file `annotate`. Raises ShelfError.
-    """
+    """Count what runs inside; show the `table`, write the listing to `annotate`. Raises ShelfError."""
     with machine.count() as count:
         try:
             yield

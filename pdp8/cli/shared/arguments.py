@@ -58,9 +58,7 @@ class Source(_Type):
 
 
 class Target(_Type):
-    """A file that is written, `-` for standard output. `makes` is its kind, as `shelf.check_kind` has
-    it, or nothing for a product that may be of any.
-    """
+    """A file that is written, `-` for standard output; `makes` is a kind of `shelf.check_kind` or ""."""
 
     name = "file"
 

@@ -53,9 +53,7 @@ def _take_signals() -> None:
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
-    """Take Ctrl-C. While a module is imported it ends the process: an exception there can be lost, or leave a
-    compiled module half made.
-    """
+    """Take Ctrl-C; within an import, where an exception can leave a module half made, end the process."""
     while frame:
         if frame.f_code.co_filename == _IMPORTING:
             os._exit(128 + number)
@@ -69,9 +67,7 @@ def _end(number: int, frame: FrameType | None) -> None:
 
 
 def tell(message: str, styled: bool = False) -> None:
-    """Write a line on standard error, or nothing if nobody reads it. A `styled` message contains colour codes
-    and no other control codes; click removes them unless it writes to a terminal.
-    """
+    """Write a line on standard error; only a `styled` message keeps its control codes, which are colours."""
     try:
         color = False if os.environ.get("NO_COLOR") else None
         click.echo(message if styled else visible(message), err=True, color=color)
@@ -91,9 +87,7 @@ def say_of(file: str, notes: Iterable[str]) -> None:
 
 
 def echo(text: str, nl: bool = True) -> None:
-    """Write text on standard output: at a terminal its control codes are shown, not sent. A closed pipe ends
-    nothing: what else there is to write is written.
-    """
+    """Write on standard output; a terminal is shown control codes, and a closed pipe ends nothing."""
     try:
         click.echo(visible(text) if sys.stdout.isatty() else text, nl=nl)
     except BrokenPipeError:
@@ -118,10 +112,7 @@ def check_output(name: str) -> None:
 
 
 def put(name: str, product: str | bytes) -> None:
-    """Put a command's product where it was asked for, a tape as bytes or a text, and say which file it is.
-
-    Raises ShelfError.
-    """
+    """Put a product, a tape as bytes or a text, where asked, and say which file it is. Raises ShelfError."""
     content = product.encode(errors="backslashreplace") if isinstance(product, str) else product
     if name != "-":
         tell_written(name, shelf.write(name, content))
@@ -138,9 +129,7 @@ def put(name: str, product: str | bytes) -> None:
 
 
 def put_all(folder: str, files: Iterable[tuple[str, bytes]]) -> None:
-    """Write files into a folder, which is made, and say in one line which they are, also where the next one
-    cannot be written. Raises ShelfError.
-    """
+    """Write files into a folder, which is made, and name those written in one line. Raises ShelfError."""
     names, replaced = [], 0
     shelf.make_folder(folder)
     try:
@@ -169,9 +158,7 @@ def _take_any_character() -> None:
 
 
 def _reopen_closed_streams() -> None:
-    """Give a standard stream that the caller closed (`>&-`) nothing to read from; what is written to standard
-    output then is an error, as it is for every other program.
-    """
+    """Give a stream that the caller closed (`>&-`) nothing to read; writing to it is an error."""
     streams = (("stdin", "r", os.O_RDWR), ("stdout", "w", os.O_RDONLY), ("stderr", "w", os.O_RDWR))
     for stream, mode, access in streams:
         if getattr(sys, stream) is None:
@@ -180,9 +167,7 @@ def _reopen_closed_streams() -> None:
 
 @contextmanager
 def conversation() -> Iterator[tuple[BinaryIO, BinaryIO]]:
-    """Yield standard input and output for a protocol alone, streams that it may close: what else reads
-    standard input has nothing, what else is printed goes to standard error.
-    """
+    """Yield standard input and output for a protocol; other input is empty, other output is an error's."""
     reader, writer = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with open(os.devnull) as nothing, redirect_stdout(sys.stderr):
         sys.stdin = nothing
@@ -259,10 +244,7 @@ def _write_or_drop(stream: TextIO) -> None:
 
 
 def silence(stream: object) -> None:
-    """Point the closed stream at nothing, so that Python's own flush at exit stays quiet.
-
-    A notebook's stream has no file, and is left alone.
-    """
+    """Point a closed stream at nothing, so that Python's flush at exit is quiet; a notebook's has no file."""
     with suppress(UnsupportedOperation):
         where = stream.fileno()  # type: ignore[attr-defined]
         os.dup2(os.open(os.devnull, os.O_WRONLY), where)

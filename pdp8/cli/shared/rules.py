@@ -103,9 +103,7 @@ def check(ctx: click.Context) -> None:
 
 
 def words(param: click.Parameter) -> list[str]:
-    """Return what a declaration calls a parameter: an option's spellings, the long one first; an argument's
-    name in capitals.
-    """
+    """Return a parameter's spellings, the long one first; an argument's name in capitals."""
     if isinstance(param, click.Argument):
         return [(param.name or "").upper()]
     return sorted([*param.opts, *param.secondary_opts], key=lambda spelling: not spelling.startswith("--"))

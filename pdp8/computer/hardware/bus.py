@@ -86,9 +86,7 @@ class Device:
         """Note that a tape, a key or a lever has changed; the device acts on it as soon as time goes on."""
 
     def finish(self) -> None:
-        """Let the mechanism finish what it has begun, because the processor stands still; the flag keeps its
-        time.
-        """
+        """Finish what the mechanism has begun, as the processor stands still; the flag keeps its time."""
 
     def out_of_tape(self) -> bool:
         """Tell whether the program asked for a frame of a tape that has run out."""
@@ -96,9 +94,7 @@ class Device:
 
 
 class BreakDevice(Device):
-    """A device with a data break. It requests one by setting `asked`, and lets `due` be that tick until the
-    request is accepted.
-    """
+    """A device with a data break; a request sets `asked`, and `due` is that tick until it is accepted."""
 
     THREE_CYCLE = True
     """Whether word count and current address are in core."""
@@ -180,10 +176,7 @@ class Bus:
         return device
 
     def transfer(self, word: int, lac: int, clock: int) -> int:
-        """Send the pulses of IOT `word`, whose memory cycle ended at tick `clock`, to its device.
-
-        Returns {L, AC} as they are afterwards, 13 bits, and above them 1 if the device answered SKIP.
-        """
+        """Send the pulses of IOT `word` at tick `clock`; return {L, AC}, and above its 13 bits 1 for SKIP."""
         device = self.device(word >> 3 & 0o77)
         if device is None:
             return lac
@@ -249,9 +242,7 @@ class Bus:
         return None
 
     def next_event(self, now: int) -> int:
-        """Return the tick after `now` at which a flag changes next, NEVER if none will; while a break is
-        requested, the tick at which it was.
-        """
+        """Return the tick after `now` of the next flag change or data break, NEVER if none will come."""
         event = NEVER
         device = self.first
         while device is not None:

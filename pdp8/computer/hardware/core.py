@@ -18,10 +18,7 @@ def allowed(value: int, what: str, most: int = WORD) -> int:
 
 
 class Core:
-    """The core of one processor: `core[0o200]` is a word, `core[0o200:0o210]` a list of eight.
-
-    Raises IndexError for an address past its end, which is 7777 in 4K, ValueError for a word that is none.
-    """
+    """Core as a list of words and slices. Raises IndexError past its end, ValueError for what is no word."""
 
     def __init__(self, processor: Processor) -> None:
         self._processor = processor

@@ -42,9 +42,7 @@ def group1(word: int, lac: int) -> int:
 
 
 def skips(word: int, lac: int) -> bool:
-    """Tell whether group 2 `word` skips: SMA, SZA, SNL or-ed together; the sense bit (SPA, SNA, SZL, SKP)
-    inverts.
-    """
+    """Whether group 2 `word` skips: SMA, SZA, SNL ORed; the sense bit inverts (SPA, SNA, SZL, SKP)."""
     condition = (
         (word & SMA != 0 and lac & 0o4000 != 0)
         or (word & SZA != 0 and lac & 0o7777 == 0)

@@ -137,9 +137,7 @@ class Processor:
         self.bus.initialize(self.clock)
 
     def preset(self) -> None:
-        """MANUAL PRESET: clear the major state. A FETCH comes next, and not the rest of an instruction or of
-        a break, nor an interrupt or a break that was due.
-        """
+        """MANUAL PRESET: make the next cycle a FETCH, with no instruction, break or interrupt under way."""
         if self.next > INTERRUPT:
             device = self.bus.in_break()
             assert device is not None
@@ -369,9 +367,7 @@ class Processor:
             self.ion = self.ion_delayed = 0
 
     def _end(self) -> None:
-        """End an instruction or a break: an interrupt that is requested comes next, or a break, also if the
-        machine stops here.
-        """
+        """End an instruction or a break: a requested interrupt or break comes next, also after a stop."""
         if self.stopping:
             self.run = self.stopping = 0
         if self.ion and self.ion_delayed and not self.extension.inhibit and self.bus.request(self.clock):

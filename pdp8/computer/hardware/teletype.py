@@ -250,9 +250,7 @@ class Receiver(Device):
         return since // FRAME * PULSES + PARTS * (since % FRAME) // EIGHTH + 1
 
     def start_seen(self) -> int:
-        """Return the pulse that will find a space of this character and take it for a start unit, -1 if none
-        will.
-        """
+        """Return the pulse that will take a space of this character for a start unit, -1 if none will."""
         last = self.start + _NINE_UNITS
         if not self.beaten(self.pulses, last):
             return -1
@@ -375,9 +373,7 @@ TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) *
 
 
 def printed(frames: bytes) -> bytes:
-    """Return what a Model 33 acts on of the frames: 64 characters, BELL, line feed and return; no other code
-    does anything. Channel 8 is not looked at, and lower case is printed as upper case.
-    """
+    """What a Model 33 acts on: its 64 characters, in capitals, BELL, LF and CR; channel 8 is ignored."""
     return frames.translate(TYPES, PASSED_OVER)
 
 
@@ -504,9 +500,7 @@ class Transmitter(Device):
         self.plan()
 
     def step(self, time: int) -> bool:
-        """Let the line change, or else the selector go on, which takes what the line shows in the middle of a
-        data unit; return whether it has a frame.
-        """
+        """Let the line change or the selector sample the middle of a unit; return whether it has a frame."""
         has_frame = False
         if time == self.next_unit():
             self.send()
@@ -523,9 +517,7 @@ class Transmitter(Device):
         return has_frame
 
     def send(self) -> None:
-        """Put the next unit on the line. The flag rises as the end marker goes out, the first of two stop
-        units at least.
-        """
+        """Put the next unit on the line; the flag rises with the end marker, the first of two stop units."""
         if self.sent == 0:
             self.mark = 0
         else:
@@ -544,9 +536,7 @@ class Transmitter(Device):
             self.punch.take(self.selected)
 
     def finish(self) -> None:
-        """Let the printer finish what is on the line, as it does while a processor stands still; the flag
-        keeps its time.
-        """
+        """Finish the character on the line, as beside a halted processor; the flag keeps its time."""
         register, mark, sent, flag, free = self.register, self.mark, self.sent, self.flag, self.free
         unit, began, selected = self.unit, self.began, self.selected
         frames = 0

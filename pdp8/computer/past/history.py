@@ -42,10 +42,7 @@ class HistoryError(WorkError):
 
 
 class _Mark(NamedTuple):
-    """A moment at which runs began or ended, and what was set there: all values, or those that changed.
-
-    At a `jump` the values are had without a run: they are those of an instruction that was run in cycles.
-    """
+    """What was set where runs began or ended: all values or the changed; a `jump` is after cycles."""
 
     clock: int
     instructions: int
@@ -113,10 +110,7 @@ class History:
         return reason
 
     def ended(self, reason: str, in_cycles: bool) -> None:
-        """Note where a run has ended.
-
-        One that ended by itself leaves things that no run as far as its tick leaves: these are noted.
-        """
+        """Note where a run has ended; what only an end by itself leaves is noted as well."""
         self._ended = self._values()
         others, moment = changed(self._began, self._ended), self._moment()
         if in_cycles or moment == self._stands:
@@ -192,10 +186,7 @@ class History:
 
     @contextmanager
     def going_back(self) -> Iterator[None]:
-        """Let the machine run without being watched or recorded; forget what comes after where it ends up.
-
-        After an error it stands where it stood.
-        """
+        """Let the machine run unrecorded, then forget what comes later; an error changes nothing."""
         machine, watch = self.machine, self.machine.watch
         now = self._values()
         self._note(now)

@@ -130,10 +130,7 @@ _Step = Callable[[Machine, int], list[int]]
 
 
 def _search(history: History, step: _Step, otherwise: str, look: Callable[[float], None] | None) -> None:
-    """Go to the last moment that `step` finds.
-
-    A step runs a machine to a tick at most, and returns the numbers of instructions at what it finds.
-    """
+    """Go to the last moment that `step` finds: it runs to a tick at most and returns instruction counts."""
     machine = history.machine
     now, end = machine.instructions, machine.processor.clock
     latest = end
@@ -213,9 +210,7 @@ def looking_back(history: History) -> Iterator[None]:
 
 
 def come_to(history: History, end: int, places: set[int], stops: Callable[[], bool]) -> bool:
-    """Run on from a moment that was gone to, to the first of `places` at which `stops` holds; return whether
-    there is one before tick `end`.
-    """
+    """Run on to the first of `places` at which `stops` holds; return whether one comes before tick `end`."""
     machine = history.machine
     for clock in history.ahead(end):
         machine.watch.breakpoints = places

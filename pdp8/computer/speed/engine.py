@@ -146,9 +146,7 @@ class Engine:
             self.processor.forms[address + 2 * (address // FIELD)] = UNDECODED
 
     def _room(self, until: int, last: int) -> int:
-        """Return the cycles of the next piece, 0 if the processor has to do the next instruction: also when
-        STOP was pressed or MEM PROT changed as a frame was printed.
-        """
+        """Return the cycles of the next piece, 0 if the processor has to do the next instruction itself."""
         p = self.processor
         if p.next != FETCH or self.waiting.stepping:
             return 0

@@ -38,9 +38,7 @@ STRIDE = 4098
 
 
 def reaches(inst: int, data: int) -> bool:
-    """Tell whether `run` has pieces for an instruction field and a data field: those of C for all, the others
-    for field 0, since an array of Python has no part that is written through.
-    """
+    """Whether `run` has pieces for these fields: C has them for all, arrays of Python only for field 0."""
     return inst == 0 and data == 0
 
 

@@ -64,8 +64,8 @@ class Left:
 
 
 class Waiting:
-    """Watches a running processor; `look` belongs after every instruction, or every piece of a run that holds
-    no flag test and no JMP to itself and does not reach `next_look`.
+    """Skips waits of a running processor: call `look` after each instruction, or each piece up to
+    `next_look`.
     """
 
     fields = saved(
@@ -121,10 +121,7 @@ class Waiting:
         self.actions = _FORGOTTEN
 
     def look(self, until: int, last: int) -> None:
-        """Look at the processor between two instructions; pass over what it would only wait through.
-
-        Stops short of tick `until` and of `last` instructions in all.
-        """
+        """Skip what the processor would only wait through, up to tick `until` and of instruction `last`."""
         p = self.processor
         if p.next > INTERRUPT:
             pass  # a data break comes first
@@ -141,10 +138,7 @@ class Waiting:
                 self._compare(until, last)
 
     def _waits_for_flag(self, until: int, last: int) -> bool:
-        """Tell whether KSF, JMP .-1 or one of its kin is here, which is recognized without a second turn;
-        pass over its turns if the flag is down. An endless wait is recognized like any other ring, and so
-        is a wait whose first turn is watched.
-        """
+        """Recognise KSF, JMP .-1 and its like at once and skip its turns; return whether it is here."""
         p = self.processor
         event = p.bus.next_event(p.clock)  # a device that saw a frame may have stopped the machine, or set it
         if self.turn_first or event == NEVER or not p.run or p.next != FETCH or p.ion != p.ion_delayed:
@@ -173,9 +167,7 @@ class Waiting:
         self.core = p.core[:]
 
     def _unchanged(self) -> bool:
-        """Tell whether core is as it was remembered. Words that were written may have been the same ones;
-        that is not known before core was remembered as a whole.
-        """
+        """Whether core is as remembered: words were possibly written, but with the values that they had."""
         p = self.processor
         return p.writes == self.writes or (self.core is not None and p.core == self.core)
 
@@ -223,9 +215,7 @@ class Waiting:
             self.next_look = max(self.next_look, p.clock - p.clock % PERIOD + PERIOD)
 
     def _turn_again(self, ticks: int, count: int) -> None:
-        """Run the last turn once more in its own time, so that the lamps are those of the instruction that
-        ended it, however it was run.
-        """
+        """Run the last turn once more in its own time, so that the lamps are those of its end."""
         p = self.processor
         p.clock -= ticks
         p.instructions -= count

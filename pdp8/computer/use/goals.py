@@ -35,9 +35,7 @@ class Goal:
         """The address that is watched for this goal alone."""
 
     def run(self, machine: Machine, ticks: int) -> str:
-        """Run for `ticks` at most; return why the run ended. A breakpoint at the last tick ends it, too: the
-        next run would leave it.
-        """
+        """Run for `ticks` at most, or to a breakpoint, the last tick included; return why the run ended."""
         reason = machine.run(seconds=ticks / TICKS_PER_SECOND).reason
         return Reason.BREAKPOINT if reason == Reason.LIMIT and _at_a_breakpoint(machine) else reason
 
@@ -100,9 +98,7 @@ class _Changed(_Watched):
 
 
 class _Grown(Goal):
-    """A number of the Teletype grows. It is looked at after each event and each `_GLANCE`: an event that an
-    instruction begins takes longer than that.
-    """
+    """A number of the Teletype grows; it is checked after each event and each `_GLANCE`, which is shorter."""
 
     def __init__(self, counted: Callable[[Teletype], list[int]], said: list[str]) -> None:
         super().__init__()

@@ -46,9 +46,7 @@ _SLOWER = (
 
 
 class Pace(NamedTuple):
-    """Seconds of machine time: to set the switches, to press a key, to put a tape in, to move from the START
-    key to the reader's lever.
-    """
+    """Seconds that an operator takes for switches, a key, a tape, and from the START key to the lever."""
 
     setting: float = 0.0
     pressing: float = 0.0
@@ -143,9 +141,8 @@ class Operator:
             yield
 
     def mount(self, name: str, tape: bytes) -> None:
-        """Put a tape into the Teletype's reader: a loader's tape on its leader, any other on its first frame.
-
-        While the processor stands still the lever goes to STOP, to be thrown with START or CONT.
+        """Put a tape in the reader, a loader's on its leader; on a halted machine START or CONT throws the
+        lever.
         """
         self.wait(self.pace.mounting)
         if self.reader.on and not self.panel.lamps.run:
@@ -170,16 +167,12 @@ class Operator:
             self.throw_lever()
 
     def start(self, address: int, switches: int | None = None, seconds: float | None = None) -> Stop:
-        """Start at `address`, with `switches` set then if they are another word; run until the program halts
-        or waits for a reader that has no more tape, or for `seconds` of machine time.
-        """
+        """Set `switches`, start at `address`, run until it halts or needs a tape, at most for `seconds`."""
         self.begin(address, switches)
         return self.machine.run(seconds)
 
     def begin(self, address: int, switches: int | None = None) -> None:
-        """Press START at `address`, with `switches` set then if they are another word; throw the lever that
-        waits.
-        """
+        """Set `switches` if they differ, press START at `address` and throw a waiting lever."""
         self.load_address(address)
         if switches is not None and switches != address:
             self.set_switches(switches)
@@ -219,9 +212,7 @@ class Operator:
         self.reader.remove()
 
     def read_rim(self, tape: bytes, name: str = "tape") -> Loading:
-        """Let the RIM loader read `tape`; press STOP when its trailer has run through, for what follows the
-        loader would take for words. Raises LoadError if it has not.
-        """
+        """Let RIM read `tape` and press STOP in its trailer. Raises LoadError if it does not get there."""
         end, words = _rim_content(tape)
         began = self.machine.processor.clock
         self.mount(name, tape[:end])
@@ -254,8 +245,8 @@ class Operator:
         return found._replace(frames=before + found.frames, sections=sections)
 
     def _pass_blank(self, name: str) -> int:
-        """Set the tape on the leader after any blank tape that follows the trailer: the loader would take it
-        for words of 0000. Return the frames read before; 0 where the tape stays.
+        """Move past blank tape after the trailer, which RIM would load as 0000; return the frames passed, or
+        0.
         """
         read = self.reader.position
         rest = self.reader.tape[read:]
@@ -323,9 +314,7 @@ def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
 
 
 def _bin_sections(tape: bytes) -> tuple[int, dict[int, int], int]:
-    """Return how often the loader will halt, as the operator sees from the tape, the words it holds, and how
-    many frames are to be read: with no trailer, the loader would take what follows the checksum for words.
-    """
+    """Return a BIN tape's sections, its words and the frames to read, which end with an unended checksum."""
     try:
         reading = binary.read(tape)
     except TapeError:
