@@ -1,6 +1,7 @@
 """What the tests of the pages do in a browser: open a page, wait, and work it in whichever browser it is."""
 
 import shutil
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,8 @@ __all__ = ["Browser", "Locator", "Page"]
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 DESK = "#workbench"
 """Behind the address of the page: it opens at the desk, not in the room."""
+PATIENCE = 120
+"""Seconds in which what is waited for has to come, also where much else runs."""
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
 needs_axe = pytest.mark.skipif(
     not AXE.exists(), reason="axe-core is not installed: npm ci --prefix tests/node"
@@ -42,6 +45,7 @@ def visit(
 ) -> Iterator[Page]:
     """A page that knows no other, offline; it may not complain, nor ask for anything."""
     context = browser.new_context(offline=True, **options)
+    context.set_default_timeout(PATIENCE * 1000)
     page = context.new_page()
     complaints: list[str] = []
     page.on("console", lambda message: complaints.append(message.text))
@@ -55,11 +59,21 @@ def visit(
 
 def until(page: Page, condition: str) -> None:
     """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
-    for _ in range(400):
-        if page.evaluate(condition):
-            return
+    end = time.monotonic() + PATIENCE
+    while not page.evaluate(condition):
+        assert time.monotonic() < end, condition
         page.wait_for_timeout(25)
-    raise AssertionError(condition)
+
+
+def settled(page: Page) -> None:
+    """Wait until nothing of the page has changed or moved for a while."""
+    page.evaluate(
+        """async () => {
+          const look = () => document.body.innerHTML + scrollY, pause = () => new Promise((done) =>
+            requestAnimationFrame(() => setTimeout(done, 100)));
+          for (let before = ""; before !== look(); await pause()) before = look();
+        }"""
+    )
 
 
 def click(page: Page, *selectors: str) -> None:

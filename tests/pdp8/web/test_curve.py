@@ -18,7 +18,18 @@ from pdp8.thesis import chain
 from pdp8.web import curve, method, workbench
 from programs import drawn
 from tapes import ascii, eia
-from tests.pdp8.web.browsing import AXE, Browser, Locator, Page, click, needs_axe, serious, until, visit
+from tests.pdp8.web.browsing import (
+    AXE,
+    Browser,
+    Locator,
+    Page,
+    click,
+    needs_axe,
+    serious,
+    settled,
+    until,
+    visit,
+)
 from tests.pdp8.web.node import in_node, needs_node, plain
 
 _COMPUTED = """async ([words, line]) => {
@@ -206,7 +217,7 @@ def test_the_ring_of_the_feeds_aims_the_cut(page: Page) -> None:
     one.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     hold = one.locator("[data-hold=pair]")
     hold.wait_for()
-    page.wait_for_timeout(300)
+    settled(page)
     frame = one.locator("svg").bounding_box()
     assert frame
     slope = re.findall(r"[\d.]+", one.locator(".intended").get_attribute("d") or "")
@@ -219,7 +230,7 @@ def test_the_ring_of_the_feeds_aims_the_cut(page: Page) -> None:
     page.mouse.move(*aim, steps=4)
     page.mouse.up()
     until(page, "document.querySelector('#one output').textContent === '27.9 over 16.0'")
-    page.wait_for_timeout(300)
+    settled(page)
     assert np.allclose(_middle(hold), aim, atol=2)
 
 
@@ -238,7 +249,7 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
     """
     own = page.locator("#own")
     own.scroll_into_view_if_needed()
-    page.wait_for_timeout(300)
+    settled(page)
     own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     own.locator("[name=tolerance]").fill(band)
     box = own.locator("svg").bounding_box()
@@ -268,7 +279,7 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
 
 def test_the_rest_of_a_curve_moves_to_meet_a_short_stroke(page: Page) -> None:
     page.locator("#own").scroll_into_view_if_needed()
-    page.wait_for_timeout(300)
+    settled(page)
     page.locator("#own svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     _stroke(page, (150, 200), (200, 200))
     page.locator("#own .groove").wait_for()
