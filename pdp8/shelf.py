@@ -173,17 +173,14 @@ def tape(name: str) -> "Tape":
 def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
     from pdp8.computer.use import program
-    from tapes import dump, spelled
+    from tapes import dump
 
     image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
     if image:
         raise ShelfError(f"{name}: {image}, and no program tape")
-    content = read(name)
-    dumped = None if spelled.found(content) else dump.found(content)
-    if dumped is None:
-        return program.read(content, name, force, dialect)
-    found = program.read(dumped.frames, name, force, dialect)
-    found.notes = (dumped.note, *found.notes)
+    frames, note = dump.unspelled(read(name))
+    found = program.read(frames, name, force, dialect)
+    found.notes = (*[note] * bool(note), *found.notes)
     return found
 
 

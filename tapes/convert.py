@@ -47,7 +47,7 @@ def convert(
     if target == OCTAL:
         return octal.decode(content).encode()
     if isinstance(code, Words) and target in spelled.FORMATS:
-        return spelled.spell(target, _words(code, content, force)).encode()
+        return spelled.FORMATS[target].spell(_words(code, content, force)).encode()
     made = codes.named(target)
     title = b""
     if isinstance(code, Characters):

@@ -8,6 +8,7 @@
 import re
 from typing import Final, NamedTuple
 
+from tapes import spelled
 from tapes.errors import TextError
 from tapes.text import with_ends
 
@@ -40,8 +41,8 @@ def read(text: str) -> Dump:
     numbers = _numbers(text)
     for notation, (form, base, digits) in _NOTATIONS.items():
         if numbers and all(form.fullmatch(number) for number, _ in numbers):
-            spelled = "".join(number for number, _ in numbers)
-            pieces = (spelled[at : at + digits] for at in range(0, len(spelled), digits))
+            joined = "".join(number for number, _ in numbers)
+            pieces = (joined[at : at + digits] for at in range(0, len(joined), digits))
             return Dump(notation, bytes(int(piece, base) for piece in pieces))
     fits = _NOTATIONS["hexadecimal"][0]
     number, index = next((each for each in numbers if not fits.fullmatch(each[0])), ("", 0))
@@ -59,6 +60,15 @@ def found(content: bytes) -> Dump | None:
         return None
     many = len(_numbers(text)) >= _FEWEST or (len(dump.frames) >= 2 * _FEWEST and re.search("[a-fA-F]", text))
     return dump if many else None
+
+
+def unspelled(content: bytes) -> tuple[bytes, str]:
+    """Return the frames that a file spells as words or as a dump, and a note on it; "" for any other file."""
+    words = spelled.found(content)
+    if words is not None:
+        return words.tape, words.note
+    dump = found(content)
+    return (dump.frames, dump.note) if dump else (content, "")
 
 
 def _numbers(text: str) -> list[tuple[str, int]]:

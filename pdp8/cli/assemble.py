@@ -323,14 +323,12 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
     """
     from pal.disassembler import disassemble_tape
     from pal.formatting import silenced
-    from tapes import binary, codes, dump, spelled
+    from tapes import binary, codes, dump
     from tapes.code import Characters
     from tapes.loaders import Words
 
-    frames = shelf.read(tape)
-    words, dumped = spelled.found(frames), dump.found(frames)
-    said = [words.note] if words else [f"a dump in {dumped.notation}"] if dumped else []
-    frames = words.tape if words else dumped.frames if dumped else frames
+    frames, note = dump.unspelled(shelf.read(tape))
+    said = [note] * bool(note)
     with naming(tape):
         code = codes.recognise(frames)
         if isinstance(code, Characters):

@@ -79,15 +79,9 @@ def _unspelled(file: str, content: bytes) -> bytes:
     """Return the frames that a dump spells, or what is no dump as it is."""
     if content.startswith(b"{"):
         return _core_of_state(file, content)
-    words = spelled.found(content)
-    if words is not None:
-        command.say_of(file, [words.note])
-        return words.tape
-    found = dump.found(content)
-    if found is None:
-        return content
-    command.say_of(file, [found.note])
-    return found.frames
+    found, note = dump.unspelled(content)
+    command.say_of(file, [note] * bool(note))
+    return found
 
 
 def _core_of_state(file: str, content: bytes) -> bytes:

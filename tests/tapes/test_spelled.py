@@ -38,10 +38,10 @@ def test_a_line_of_bits_for_each_word() -> None:
 
 @given(
     st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size=8),
-    st.sampled_from(spelled.FORMATS),
+    st.sampled_from(list(spelled.FORMATS)),
 )
 def test_what_is_written_is_read(words: dict[int, int], name: str) -> None:
-    found = spelled.found(spelled.spell(name, words).encode())
+    found = spelled.found(spelled.FORMATS[name].spell(words).encode())
     assert found is not None
     assert {at: word for at, word in found.words.items() if word} == {
         at: word for at, word in words.items() if word

@@ -602,15 +602,17 @@ export const array = (_, of) => {
 };
 /** What decimal digits of any script are, as ASCII. */
 const decimals = (text) => text.replace(/[^\x00-\x7f]/g, (each) => (each.isdecimal() ? String((ord(each) & 15) - (chr(ord(each) & ~15).isdecimal() ? 0 : 6)) : each));
+/** Each base's mark, and the form of its numbers. */
+const BASES = Object.fromEntries([[2, "0b", "[01]"], [8, "0o", "[0-7]"], [10, "", "\\d"], [16, "0x", "[\\da-f]"]].map(
+  ([base, mark, digit]) => [base, [mark, new RegExp(`^([-+]?)${mark && `(?:${mark}_?)?`}(${digit}+(?:_${digit}+)*)$`, "i")]]));
 export const int = (of, base = 10) => {
   if (typeof of === "bigint") return of;
   if (of?.under) return exact(of.over / of.under);
   if (num(of.valueOf())) return whole(Math.trunc(+of));
-  if (base !== 8 && base !== 10) throw new Untranslated(`int() with base ${base}`);
-  const text = (typeof of === "string" ? decimals(of) : latin(of)).strip();
-  const found = (base === 8 ? /^([-+]?)(?:0o_?)?([0-7]+(?:_[0-7]+)*)$/i : /^([-+]?)(\d+(?:_\d+)*)$/).exec(text);
+  const [mark, form] = BASES[base] ?? refuse(Untranslated, `int() with base ${base}`);
+  const found = form.exec((typeof of === "string" ? decimals(of) : latin(of)).strip());
   if (!found) throw new ValueError(`invalid literal for int() with base ${base}: ${repr(of)}`);
-  const value = exact(BigInt((base === 8 ? "0o" : "") + found[2].replaceAll("_", "")));
+  const value = exact(BigInt(mark + found[2].replaceAll("_", "")));
   return found[1] === "-" ? neg(value) : value;
 };
 const FLOAT = /^[-+]?(?:\d+(?:_\d+)*\.?(?:\d+(?:_\d+)*)?|\.\d+(?:_\d+)*)(?:e[-+]?\d+(?:_\d+)*)?$/i;
