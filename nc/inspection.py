@@ -160,11 +160,11 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
         )
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(_corners(cuts))))
     stations = curve.stations(count)
-    measured = _to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations)
+    measured = _to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations, cuts)
     if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
     finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points)
-    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations))))
+    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations, cuts))))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     centre = _centre(cuts, stations, cutter)
     return Inspection(curve, cutter, tolerance, measured, centre, stepwise, path.gap, readings)
@@ -274,8 +274,11 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
     return np.asarray(np.interp(np.arange(len(stations)), some, left) == 1)
 
 
-def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
-    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off."""
+def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) -> Walls:
+    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off.
+
+    A normal that leads into what is cut from the tip's other side meets no wall: its neighbours' error stands.
+    """
     if not (measured.part_wall and len(curve.tips)):
         return measured
     edge, here = (
@@ -284,10 +287,29 @@ def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
     )
     off = measured.by_name[measured.part_wall].copy()
     reach = 3 * float(np.nanmax(np.abs(off))) + 1
-    near = np.isfinite(off) & np.isfinite(_off(here.points, _at(curve.tips), reach))
-    off[near] = _off(here.points[near] + off[near, None] * here.normals[near], edge, 2 * reach)
+    near = np.flatnonzero(np.isfinite(off) & np.isfinite(_off(here.points, _at(curve.tips), reach)))
+    places = here.points[near] + off[near, None] * here.normals[near]
+    off[near] = _off(places, edge, 2 * reach)
+    off[near[_is_cut(places, cuts, abs(curve.beside) - _LEFT)]] = np.nan
+    left = np.flatnonzero(np.isfinite(off))
+    off[near] = np.interp(near, left, off[left])
     both = {"outer": measured.outer, "inner": measured.inner, measured.part_wall: off}
     return Walls(measured.stations, both["outer"], both["inner"], measured.part_wall)
+
+
+def _is_cut(places: Floats, cuts: Floats, radius: float) -> NDArray[np.bool_]:
+    """Return which of the places (n, 2) are within `radius` of a cut."""
+    found = np.zeros(len(places), dtype=np.bool_)
+    low, high = np.minimum(cuts[:, :2], cuts[:, 2:]), np.maximum(cuts[:, :2], cuts[:, 2:])
+    for first in range(0, len(places), _GROUP):
+        group = places[first : first + _GROUP]
+        for near in _about(group, radius, low, high):
+            way, from_start = cuts[near, 2:] - cuts[near, :2], group[:, None] - cuts[near, :2]
+            length = np.maximum((way * way).sum(axis=1), _TIE)
+            part = np.clip((from_start * way).sum(axis=2) / length, 0, 1)
+            away = from_start - part[:, :, None] * way
+            found[first : first + _GROUP] |= ((away * away).sum(axis=2) < radius * radius).any(axis=1)
+    return found
 
 
 def _at(points: Floats) -> Stations:

@@ -7,11 +7,13 @@ import click
 
 from pdp8.cli.nc_options import (
     PECK,
+    Cutter,
     Cutting,
     Feeds,
     Inches,
     Metric,
     Named,
+    Surface,
     Tape,
     Times,
     Within,
@@ -128,7 +130,7 @@ def plot(
     tape: Tape,
     feeds: Feeds,
     metric: Metric,
-    named: Named,
+    named: Surface,
     cutting: Cutting,
     block: int | None,
     at: tuple[float, float] | None,
@@ -148,7 +150,7 @@ def plot(
     from nc.inspection import followed
     from nc.plot import plot as drawing
 
-    known = work(cut_tape(tape, feeds.settings()), tape, named, cutting, metric)
+    known = work(cut_tape(tape, feeds.settings()), tape, named, metric, cutting.cutter, cutting.tolerance)
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
         known.path,
@@ -183,7 +185,7 @@ def inspect(
     tape: Tape,
     feeds: Feeds,
     metric: Metric,
-    named: Named,
+    named: Surface,
     cutting: Cutting,
     talyrond: str | None,
     talysurf: str | None,
@@ -211,7 +213,7 @@ def inspect(
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
-    known = work(cut_tape(tape, feeds.settings()), tape, named, cutting, metric)
+    known = work(cut_tape(tape, feeds.settings()), tape, named, metric, cutting.cutter, cutting.tolerance)
     found = measure(known.path, known.curve, known.cutter, known.tolerance)
     if cutting.tolerance is not None and found.curve.guessed:
         raise click.UsageError(
@@ -305,7 +307,7 @@ def export(
     feeds: Feeds,
     metric: Metric,
     named: Named,
-    cutting: Cutting,
+    cutter: Cutter,
     peck: int,
     gcode: bool,
     safe: float | None,
@@ -327,7 +329,7 @@ def export(
     """
     made = _format(ctx, gcode, dxf, output)
     path = cut_tape(tape, replace(feeds.settings(), peck=peck))
-    known = work(path, tape, named, cutting, metric)
+    known = work(path, tape, named, metric, cutter.cutter)
     x, y = shift or (0, 0)
     if made == "DXF":
         from nc.dxf import dxf as drawing
@@ -363,7 +365,7 @@ def _format(ctx: click.Context, gcode: bool, dxf: bool, output: str) -> str:
         raise click.UsageError(f"{output} is the name of {_FORMATS[ending]}, not of {made}")
     barred = {
         "DXF": ("peck", "safe", "tap", "tool_change", "as_1971"),
-        "G-code": ("depth", "circle", "ellipse", "line", "function"),
+        "G-code": ("depth", "circle", "ellipse", "line", "function", "profile"),
     }
     params = {param.name: param for param in ctx.command.params}
     for name in barred[made]:

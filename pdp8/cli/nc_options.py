@@ -273,16 +273,7 @@ class Named:
             help="Range of x of --function, inches.",
         ),
     ]
-    side: Annotated[
-        str,
-        option(
-            "--side",
-            type=click.Choice(["above", "below", "outside", "inside"]),
-            callback=lambda _, __, side: side or "",
-            needs="--function --profile --circle --ellipse",
-            help="The curve is the part's surface, and the cutter is on this side of it.",
-        ),
-    ]
+    side = ""
 
     def nominal(self, mm: bool) -> Nominal | None:
         """Return the curve that the options name, or None. Raises UsageError and WorkError."""
@@ -319,8 +310,24 @@ class Named:
 
 
 @dataclass(frozen=True)
-class Cutting:
-    """The cutter, and how far a wall may be off; None: as the nominal curve has it."""
+class Surface(Named):
+    """The nominal curve, which may be the surface of the part."""
+
+    side: Annotated[
+        str,
+        option(
+            "--side",
+            type=click.Choice(["above", "below", "outside", "inside"]),
+            callback=lambda _, __, side: side or "",
+            needs="--function --profile --circle --ellipse",
+            help="The curve is the part's surface, and the cutter is on this side of it.",
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class Cutter:
+    """The cutter; None: as the nominal curve has it."""
 
     cutter: Annotated[
         float | None,
@@ -331,6 +338,12 @@ class Cutting:
             help="Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
         ),
     ]
+
+
+@dataclass(frozen=True)
+class Cutting(Cutter):
+    """The cutter, and how far a wall may be off; None: as the nominal curve has it."""
+
     tolerance: Annotated[
         float | None,
         option(
@@ -354,18 +367,25 @@ class Work:
     source: str
 
 
-def work(path: "Path", tape: Tape, named: Named, cutting: Cutting, metric: Metric) -> Work:
+def work(
+    path: "Path",
+    tape: Tape,
+    named: Named,
+    metric: Metric,
+    cutter: float | None,
+    tolerance: float | None = None,
+) -> Work:
     """Return the path with the curve that options name, or that the tape was made for. Raises WorkError."""
     from nc.curves import curve
 
     nominal = named.nominal(metric.mm) or _made_for(tape.name, path)
     known = nominal or Nominal("line", ())
-    across = 1000 * (cutting.cutter or known.cutter)
+    across = 1000 * (cutter or known.cutter)
     return Work(
         path,
         curve(nominal, across) if nominal else None,
         across,
-        1000 * (cutting.tolerance or known.tolerance),
+        1000 * (tolerance or known.tolerance),
         known.source,
     )
 
