@@ -4,16 +4,17 @@ from itertools import pairwise, permutations
 
 import numpy as np
 import pytest
-from shapely import LineString, unary_union
+import shapely
+from shapely import LineString, Polygon, unary_union
 from shapely.geometry import Point as Disc
 
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine, curve, fitted
-from nc.inspection import Inspection, Walls, followed, inspect, runs, walls
+from nc.inspection import Inspection, Walls, against, followed, inspect, runs, walls
 from nc.machine import Settings
 from nc.report import inspection_report
 from nc.talysurf import talysurf
-from programs.parts import part
+from programs.parts import PARTS, part
 from tapes.errors import WorkError
 from tapes.nominal import Nominal
 from tests.conftest import case
@@ -107,10 +108,49 @@ def test_a_surface_is_measured_where_its_part_has_it(side: str) -> None:
         assert walls[at] == pytest.approx(ends[0] if side == "above" else ends[-1], abs=0.02)
 
 
+def turned(number: int) -> str:
+    """Return the file of an outline of equal sides about a circle, none along an axis."""
+    angles = 0.507 + 2 * np.pi * np.arange(number) / number
+    return "".join(f"{0.4 * np.cos(angle)},{0.4 * np.sin(angle)}\n" for angle in angles)
+
+
+@pytest.mark.parametrize(
+    ("outline", "cutter", "side"),
+    [
+        (turned(4), 0.0625, "outside"),
+        (turned(5), 0.25, "outside"),
+        pytest.param("0.6+0.05*cos(3*x)", 0.125, "inside", marks=pytest.mark.slow("many cuts, 4 s")),
+    ],
+)
+def test_the_wall_of_a_profile_is_as_far_off_as_shapely_finds(outline: str, cutter: float, side: str) -> None:
+    """Its highest and lowest place beside the outline, at a corner the distance from the nearer side."""
+    given = {"tolerance": 0.003, "cutter": cutter, "side": side}
+    made = part("profile", outline, stop="inside", **given)
+    nominal = PARTS["profile"].nominal({"expression": outline, **given})
+    assert nominal is not None
+    (found,) = (
+        each
+        for each in against(nc.cut(tape(*made.replace(" ", "0").split())), nominal).readings
+        if each.angle is None
+    )
+    way = [(block.x, block.y) for block in printouts.milled(made)]
+    metal = unary_union([LineString(cut).buffer(500 * cutter, quad_segs=96) for cut in pairwise(way)])
+    assert isinstance(metal, Polygon)
+    wall = max(metal.interiors, key=lambda ring: ring.length) if side == "outside" else metal.exterior
+    angles = np.linspace(0, 2 * np.pi, 20_000, endpoint=False)
+    radii = 0.6 + 0.05 * np.cos(3 * angles)
+    corners = nominal.points or np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
+    edge = Polygon(1000 * np.array(corners) + 4000)
+    places = shapely.get_coordinates(shapely.segmentize(LineString(wall.coords), 0.5))
+    away, within = shapely.distance(shapely.points(places), edge.exterior), shapely.contains_xy(edge, places)
+    off = np.where(within, -away, away)
+    assert (found.lowest, found.highest) == pytest.approx((off.min(), off.max()), abs=0.05)
+
+
 def test_a_guessed_nominal_is_round_and_feeds_do_not_move_it() -> None:
     """The piece-wise circle keeps to its band whatever the feeds do, and so does what is guessed from it."""
-    lines = printouts.blocks(part("circle", radius=0.5, technique="piece", close=True))
-    frames = tape(*("{:03}{}{:05}{:05}{}{:02}{:02}".format(*block) for block in lines))
+    made = part("circle", radius=0.5, technique="piece", close=True)
+    frames = tape(*made.replace(" ", "0").split())
     around = Ellipse(4000, 4000, 500, 500)
     for x, y in ((0.0, 0.0), (-0.2, 0.2), (0.2, -0.2), (0.2, 0.2)):
         found = inspect(nc.cut(frames, settings=Settings(feed_error=(x, y, 0))))
