@@ -298,7 +298,7 @@ def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) ->
 
 
 def _is_cut(places: Floats, cuts: Floats, radius: float) -> NDArray[np.bool_]:
-    """Return which of the places (n, 2) are within `radius` of a cut."""
+    """Which of the places (n, 2) are within `radius` of a cut."""
     found = np.zeros(len(places), dtype=np.bool_)
     low, high = np.minimum(cuts[:, :2], cuts[:, 2:]), np.maximum(cuts[:, :2], cuts[:, 2:])
     for first in range(0, len(places), _GROUP):
