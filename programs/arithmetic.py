@@ -5,6 +5,7 @@
     ge635       27 bits, sign   71, truncated    71, truncated    35, truncated    27, rounded  27, truncated
     ieee32      24 bits, sign   24, rounded      24, rounded      24, rounded      24, rounded  as it is
     cdc6400     48 bits, sign   48, truncated    48, truncated    48, truncated    48, rounded  as it is
+    pdp8        27 bits, sign   27, see below    27, see below    27, rounded      see below    as it is
 
 A program is written once, with the operators of its listing, over the numbers of any arithmetic:
 
@@ -22,12 +23,19 @@ CDC 6400. Ones' complement, so that cutting goes towards zero. FX adds in 96 bit
 exponent, and keeps the upper 48 before they are normalised: a difference loses what alignment shifted past
 the upper half.
 
+PDP-8, the FLOAT of DEC's 8K FORTRAN II. The smaller operand of + and - is cut to the place of the larger; a
+carry out is rounded, half a unit up. A product has a bit more than a word, rounded likewise; the accumulator
+begins with the low 24 bits of the multiplier in it, which FLOAT does not clear, so that a product is up to an
+eighth of a unit too large, and A*B, compiled as load B and multiply by A, is not B*A. SQRT makes three steps
+of Newton's from a first guess by shifting the word.
+
 Not emulated: the range of exponents (nothing here comes near its ends), the CDC's indefinite, IEEE's
 infinities. It is not known which of truncating and rounding stores the compiler of 1971 chose; the GE-635 did
 both.
 
 Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, FRD); Control Data
-6400/6500/6600 Computer Systems Reference Manual (floating point arithmetic); IEEE 754.
+6400/6500/6600 Computer Systems Reference Manual (floating point arithmetic); IEEE 754; for FLOAT its results,
+recorded as it ran on our PDP-8/L.
 """
 
 from abc import ABC, abstractmethod
@@ -240,6 +248,53 @@ class GE635(FloatingPoint):
         return Float(self, mantissa, exponent + dropped + a.exponent - b.exponent)
 
 
+class PDP8(FloatingPoint):
+    """FLOAT of DEC's 8K FORTRAN II."""
+
+    word = register = 27
+    quotient = 28
+
+    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
+        """Round the magnitude, half a unit up."""
+        return _half_up(mantissa, max(0, mantissa.bit_length() - bits))
+
+    def add(self, a: Float, b: Float) -> Float:
+        """Return a + b, the smaller cut to the place of the larger."""
+        if not a.mantissa or not b.mantissa:
+            return a if a.mantissa else b
+        (m, e), (n, f) = _word(a), _word(b)
+        top = max(e, f)
+        return self.keep(_towards_zero(m, top - e) + _towards_zero(n, top - f), top, self.word)
+
+    def multiply(self, a: Float, b: Float) -> Float:
+        """Return a * b: `b` is the multiplier."""
+        if not a.mantissa or not b.mantissa:
+            return Float(self, 0, 0)
+        (m, e), (n, f) = _word(a), _word(b)
+        product = 2 * abs(m * n) + (abs(n) & 0o77777777) >> 26
+        mantissa, dropped = _half_up(product, max(1, product.bit_length() - self.word))
+        return Float(self, mantissa if m * n > 0 else -mantissa, e + f + 25 + dropped)
+
+    def divide(self, a: Float, b: Float) -> Float:
+        """Return a / b, the quotient of 28 bits or 29 rounded."""
+        (m, e), (n, f) = _word(a), _word(b)
+        quotient = (abs(m) << self.quotient) // abs(n)
+        return self.keep(quotient if m * n > 0 else -quotient, e - f - self.quotient, self.word)
+
+    def sqrt(self, value: Float) -> Float:
+        """Return SQRT(value) by three steps of Newton's."""
+        if not value.mantissa:
+            return value
+        m, e = _word(value)
+        guess = (_BIAS + e << 27 | m) // 2 + (0o1004 << 24)
+        guess += 0 if guess & _HALF else 2 << 24
+        root = Float(self, guess & 2 * _HALF - 1, (guess >> 27) - _BIAS)
+        for _ in range(3):
+            mean = self.add(self.divide(value, root), root)
+            root = Float(self, mean.mantissa, mean.exponent - 1)
+        return root
+
+
 EXACT: Final = Exact()
 
 ARITHMETICS: Final[dict[str, Arithmetic]] = {
@@ -247,10 +302,29 @@ ARITHMETICS: Final[dict[str, Arithmetic]] = {
     "ge635": GE635(),
     "ieee32": IEEE32(),
     "cdc6400": CDC6400(),
+    "pdp8": PDP8(),
 }
 """Every arithmetic by its name."""
 WHICH: Final = "the arithmetic of which machine"
 """What a part's constant of that name means."""
+
+
+_HALF: Final = 1 << 26
+"""The leading bit of a mantissa of FLOAT."""
+_BIAS: Final = 0o200 + 27
+"""What FLOAT's exponents exceed those of Float by."""
+
+
+def _word(value: Float) -> tuple[int, int]:
+    """Mantissa of 27 bits and exponent, as FLOAT has them."""
+    shift = 27 - value.mantissa.bit_length()
+    return value.mantissa << shift, value.exponent - shift
+
+
+def _half_up(mantissa: int, dropped: int) -> tuple[int, int]:
+    """A mantissa without the bits dropped, its magnitude rounded, half a unit up."""
+    kept = (abs(mantissa) << 1 >> dropped) + 1 >> 1
+    return kept if mantissa >= 0 else -kept, dropped
 
 
 def _magnitude_bits(mantissa: int) -> int:

@@ -5,8 +5,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from pdp8 import shelf
 from pdp8.cli.shared import command
-from pdp8.cli.shared.arguments import Command, Folder, Target, output
+from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
+from pdp8.cli.shared.rules import option
 from programs.parts import PARTS
 
 if TYPE_CHECKING:
@@ -21,13 +23,23 @@ REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
 @click.option(
     "--html", type=Target("HTML"), help="Write the afternoon as a page too: any instant of it, in one file."
 )
-def replay(part: str, output: str | None, html: str | None) -> None:
+@option(
+    "--fortran",
+    type=Source(),
+    metavar="DECTAPE",
+    excludes="--html",
+    help="Run the listing in DEC's FORTRAN, on an 8/L of 8K with this DECtape of PS/8.",
+)
+def replay(part: str, output: str | None, html: str | None, fortran: str | None) -> None:
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.
 
     Every constant is as the thesis has it. FORTRAN's output is punched, RIM toggled in, BIN loaded, eia.pal
     loaded, the tape translated, the part milled and inspected. Each step is one line: its time of day,
     how long it took in 1971 and takes today, and its outcome. The table at the end sets the thesis's
     figures beside the replay's; tapes, listings and pictures stay in a folder.
+
+    With --fortran circle and ellipse are compiled and run on the 8/L itself, in place of Toronto's terminal.
+    It is our experiment: nothing says that the 8/L of 1971 had 8K or a DECtape.
 
     \b
     Examples:
@@ -39,9 +51,26 @@ def replay(part: str, output: str | None, html: str | None) -> None:
 
     folder = output or f"replay-{part}"
     command.tell(ARRANGED)
-    afternoon = whole(part, _say_act)
+    afternoon = _own(part, fortran) if fortran else whole(part, _say_act)
     _leave(afternoon, folder, html)
     _show(afternoon, aside=html == "-")
+
+
+def _own(part: str, reel: str) -> "Afternoon":
+    """Do the day with the part program in DEC's FORTRAN."""
+    from pdp8.replay.fortran import LISTINGS, Own
+    from tapes import dectape
+    from tapes.errors import naming
+
+    if part not in LISTINGS:
+        raise click.UsageError(f"--fortran: the thesis lists {' and '.join(LISTINGS)}; {part} is ours.")
+    with naming(reel):
+        image, notes = dectape.decode(shelf.read(reel))
+    command.say_of(reel, notes)
+    afternoon = Own(part, image, _say_act)
+    for _ in afternoon.through():
+        pass
+    return afternoon
 
 
 def _say_act(act: "Act") -> None:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from nc.inspection import Inspection, against
 from nc.path import Path
 from pdp8 import shelf
+from pdp8.computer.machine import Machine
 from pdp8.replay.day import PROGRAMS, Act, Day, Judgement
 from programs.parts import find
 from tapes.errors import WorkError
@@ -14,11 +15,11 @@ from tapes.quantities import inches
 class Afternoon(Day):
     """The day of `part`, whose walls are measured; `inspection` is None without a curve to compare with."""
 
-    def __init__(self, part: str, tell: Callable[[Act], object]) -> None:
+    def __init__(self, part: str, tell: Callable[[Act], object], machine: Machine | None = None) -> None:
         self.made = find(part)
         self.inspection: Inspection | None = None
         sources = {name: shelf.read_bundled(name) for name in PROGRAMS}
-        super().__init__(part, self.made.program()(), sources, self._measured, tell)
+        super().__init__(part, self.made.program()(), sources, self._measured, tell, machine)
 
     def _measured(self, path: Path) -> Judgement:
         """Measure the walls that a path leaves."""

@@ -129,7 +129,7 @@ class Day:
     """The afternoon while it happens, for the part program `part` that printed `text`.
 
     `sources` holds PROGRAMS, {name: source}; `judge` inspects the path that was cut; `tell` hears of every
-    act as it is done.
+    act as it is done. `machine` is a plain PDP-8/L if none is given.
     """
 
     def __init__(
@@ -139,13 +139,14 @@ class Day:
         sources: Mapping[str, bytes],
         judge: Callable[[Path], Judgement],
         tell: Callable[[Act], object] = lambda act: None,
+        machine: Machine | None = None,
     ) -> None:
         self.part = part
         self.text = text
         self.sources = sources
         self.judge = judge
         self.tell = tell
-        self.machine = Machine()
+        self.machine = machine or Machine()
         self.actions: list[Action] = []
         self.operator = Operator(self.machine, PACE, self.actions.append)
         self.acts: list[Act] = []

@@ -37,6 +37,9 @@ def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | 
     """Yield blocks and minutes; how the minutes at the machine are made up; and those at another feed."""
     minutes, times = afternoon.minutes, afternoon.path.times
     yield "blocks", said.blocks, f"{len(afternoon.path)}"
+    for name, own in minutes.items():
+        if name not in ("punch", "translate", "cut"):
+            yield f"minutes in FORTRAN: {name}", None, f"{own:.1f}"
     yield "minutes to punch", said.punch, f"{minutes['punch']:.1f}"
     yield "minutes to translate", said.translate, f"{minutes['translate']:.1f}"
     yield "minutes to machine a pass", said.cut, f"{minutes['cut']:.1f}"

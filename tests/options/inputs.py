@@ -296,6 +296,7 @@ _VALUES: Final = {
     "--device": "own.py:Own",
     "--memory": "8k",
     "--dectape": "0=reel.tu56",
+    "--fortran": "reel.tu56",
     "--save-dectape": "0=reel.out",
     "--trace": "trace.out",
     "--annotate": "counts.out",

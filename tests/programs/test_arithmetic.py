@@ -1,6 +1,7 @@
 """Each arithmetic by its rules, from the manuals' words (CPB-1004), or numpy's. The ellipse's nine blocks."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,10 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from programs import circle, ellipse
-from programs.arithmetic import ARITHMETICS, CDC6400, GE635, IEEE32, Exact, Float
+from programs.arithmetic import ARITHMETICS, CDC6400, GE635, IEEE32, PDP8, Exact, Float
 from tests.conftest import case
+from tests.programs import dec_float
 
-GE, IEEE, CDC = GE635(), IEEE32(), CDC6400()
+GE, IEEE, CDC, DEC = GE635(), IEEE32(), CDC6400(), PDP8()
 ratios = st.tuples(st.integers(-(2**20), 2**20), st.integers(1, 2**20))
 
 
@@ -94,9 +96,29 @@ def test_truncation_moves_nine_blocks_of_the_ellipse() -> None:
     assert [number for number, (one, two) in pairs if one != two] == [*range(587, 596)]
     assert truncated[586] == "5876 6404 2646  585"
     assert ellipse.part(arithmetic=CDC).splitlines() == truncated
-    for machine in (IEEE, Rounding()):
+    for machine in (IEEE, Rounding(), DEC):
         assert ellipse.part(arithmetic=machine).splitlines() == exact
 
 
 def test_the_circle_is_the_same_in_all() -> None:
     assert len({circle.part(arithmetic=machine) for machine in ARITHMETICS.values()}) == 1
+
+
+def float_of(word: int) -> Float:
+    """Return a word of FLOAT."""
+    mantissa = word & (1 << 27) - 1
+    return Float(DEC, -mantissa if word & dec_float.SIGN else mantissa, (word >> 27 & 0o377) - 0o200 - 27)
+
+
+def test_two_thousand_results_of_decs_float() -> None:
+    """Recorded as FLOAT of DEC's 8K FORTRAN II ran on our PDP-8/L (dec_float.py)."""
+    recorded = Path(__file__).with_name("float.bin").read_bytes()
+    results = (float_of(int.from_bytes(recorded[at : at + 5])).exactly for at in range(0, len(recorded), 5))
+    wrong = dict.fromkeys(dec_float.RESULTS, 0)
+    for one, other in dec_float.pairs():
+        a, b = float_of(one), float_of(other)
+        ours = (a + b, a - b, a * b, a / b, DEC.sqrt(float_of(one & ~dec_float.SIGN)))
+        for name, made in zip(wrong, ours, strict=True):
+            wrong[name] += made.exactly != next(results)
+    assert wrong == dict.fromkeys(dec_float.RESULTS, 0)
+    assert next(results, None) is None
