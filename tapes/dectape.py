@@ -9,7 +9,6 @@ A file that ends after a whole block is the beginning of a tape, as SIMH takes i
 from array import array
 from collections.abc import Iterator
 from functools import cached_property
-from sys import byteorder
 
 from tapes.errors import TapeError
 
@@ -39,19 +38,14 @@ class Image:
     @cached_property
     def digest(self) -> str:
         """SHA-256 of the words, which names the image in a saved state."""
-        import hashlib  # only for who saves a state
+        from hashlib import sha256  # only for who saves a state
 
-        return hashlib.sha256(_bytes(self.words)).hexdigest()
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Image) and self.digest == other.digest
-
-    def __hash__(self) -> int:
-        return hash(self.digest)
+        return sha256(_bytes(self.words)).hexdigest()
 
     def content(self) -> bytes:
         """Return the image as a file has it: 128 words a block if it came so and the last words are 0."""
-        width = self.width if not any(self.words[WORDS - 1 :: WORDS]) else WORDS
+        last = any(self.words[at] for at in range(WORDS - 1, len(self.words), WORDS))
+        width = WORDS if last else self.width
         rows = (self.words[at : at + width] for at in range(0, len(self.words), WORDS))
         return b"".join(_bytes(row) for row in rows)
 
@@ -69,16 +63,15 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
         raise TapeError(_no_image(len(content)))
     words = array("H", bytes(2 * BLOCKS * WORDS))
     for block in range(blocks):
-        row = array("H", content[2 * width * block : 2 * width * (block + 1)])
-        if byteorder != "little":
-            row.byteswap()
-        for word, found in enumerate(row):
+        for word in range(width):
+            at = 2 * (width * block + word)
+            found = content[at] | content[at + 1] << 8
             if found > 0o7777:
                 raise TapeError(
                     f"block {block:o}, word {word:o}: {found:o} (octal) is no word of 12 bits: this is no "
                     "DECtape image of a PDP-8"
                 )
-        words[WORDS * block : WORDS * block + width] = row
+            words[WORDS * block + word] = found
     notes = [] if blocks == BLOCKS else [f"{blocks} of {BLOCKS} blocks; the others are taken as 0"]
     return Image(words, width), notes
 
@@ -91,8 +84,8 @@ def is_image(content: bytes) -> bool:
 def changed_blocks(before: Image, after: Image) -> Iterator[int]:
     """Yield the numbers of the blocks in which two images differ."""
     for block in range(BLOCKS):
-        place = slice(WORDS * block, WORDS * (block + 1))
-        if before.words[place] != after.words[place]:
+        first, end = WORDS * block, WORDS * (block + 1)
+        if before.words[first:end] != after.words[first:end]:
             yield block
 
 
@@ -105,8 +98,4 @@ def _no_image(length: int) -> str:
 
 def _bytes(words: "array[int]") -> bytes:
     """Return words, each as two bytes, the low one first."""
-    if byteorder == "little":
-        return words.tobytes()
-    swapped = words[:]
-    swapped.byteswap()
-    return swapped.tobytes()
+    return bytes(part for word in words for part in (word & 0o377, word >> 8))

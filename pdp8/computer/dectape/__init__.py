@@ -2,6 +2,4 @@
 
 tu55     a transport: its motion, and the tape that is mounted
 tc08     the control: its registers, functions and data breaks
-
-Not in the page.
 """

@@ -75,12 +75,12 @@ class Transport:
         found = bytearray()
         for number in sorted(self.blocks):
             for word in (number, *self.blocks[number]):
-                found += word.to_bytes(2)
+                found += bytes([word >> 8, word & 0o377])
         return bytes(found)
 
     @changed.setter
     def changed(self, content: bytes) -> None:
-        words = [int.from_bytes(content[at : at + 2]) for at in range(0, len(content), 2)]
+        words = [content[at] << 8 | content[at + 1] for at in range(0, len(content) - 1, 2)]
         rows = [words[at : at + WORDS + 1] for at in range(0, len(words), WORDS + 1)]
         if any(len(row) <= WORDS or row[0] >= BLOCKS or max(row) > 0o7777 for row in rows):
             raise ValueError("blocks of a DECtape are expected, a number and 129 words each")
@@ -99,7 +99,8 @@ class Transport:
             return self.image
         words = self.image.words[:]
         for number, row in self.blocks.items():
-            words[WORDS * number : WORDS * (number + 1)] = row
+            for place, word in enumerate(row, WORDS * number):
+                words[place] = word
         return Image(words, self.image.width)
 
     def read(self, block: int, word: int) -> int:

@@ -28,13 +28,14 @@ from tapes import codes
 _CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.CODES})
 
 MODULES = {
-    "tapes": "binary code codes errors expression frames hydrapoint quantities rim spelled text utf16 "
-    + " ".join(_CODES),
+    "tapes": "binary code codes dectape errors expression frames hydrapoint quantities rim spelled text"
+    " utf16 " + " ".join(_CODES),
     "pal": "assembler assembling assembly assembly3 diagnostics dialects disassembler isa listing meaning"
     " messages models notes punch recognition review source symbols table watched",
     "pal.pal8": "assembler assembly expressions lexer literals log operators output symbols table",
     "pdp8.computer": "machine stop watch",
     "pdp8.computer.hardware": "*",
+    "pdp8.computer.dectape": "*",
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
     "pdp8.computer.use": "ending goals keys operator program trace",
@@ -84,6 +85,7 @@ TRUSTED = {
     "pdp8.computer.hardware.fields": "walk take put changed",
     "pdp8.computer.hardware.panel": "shares",
     "pdp8.computer.speed.waiting": "Left",
+    "pdp8.computer.dectape.tc08": "TC08.__init__",
     "pdp8.computer.past.state": "save _written restore _parsed _check_device _fields _read _number _octal"
     " _frames _short",
     "pdp8.computer.past.rewind": "_check",

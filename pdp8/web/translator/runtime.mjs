@@ -789,6 +789,32 @@ export const json = {
     }
   },
 };
+const PRIMES = Array.from({ length: 310 }, (_, of) => of + 2).filter((of, _, every) => every.every((by) => by >= of || of % by));
+const fractions = (root, primes) => primes.map((prime) => ((root(prime) % 1) * 2 ** 32) | 0);
+const ROUNDS = fractions(Math.cbrt, PRIMES);
+const turned = (of, by) => (of >>> by) | (of << (32 - by));
+/** FIPS 180-4: its constants are the fractions of roots of the first primes. */
+export const sha256 = (of) => {
+  const padded = new DataView(new ArrayBuffer((((of.length + 8) >> 6) + 1) << 6));
+  of.forEach((byte, place) => padded.setUint8(place, byte));
+  padded.setUint8(of.length, 0x80);
+  padded.setUint32(padded.byteLength - 4, of.length << 3);
+  const hash = fractions(Math.sqrt, PRIMES.slice(0, 8));
+  for (let first = 0; first < padded.byteLength; first += 64) {
+    const w = new Int32Array(64);
+    let [a, b, c, d, e, f, g, h] = hash;
+    ROUNDS.forEach((round, t) => {
+      const near = w[t - 15], late = w[t - 2];
+      w[t] = t < 16 ? padded.getInt32(first + 4 * t)
+        : w[t - 16] + w[t - 7] + (turned(near, 7) ^ turned(near, 18) ^ (near >>> 3)) + (turned(late, 17) ^ turned(late, 19) ^ (late >>> 10));
+      const one = h + (turned(e, 6) ^ turned(e, 11) ^ turned(e, 25)) + ((e & f) ^ (~e & g)) + round + w[t];
+      const two = (turned(a, 2) ^ turned(a, 13) ^ turned(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
+      h = g; g = f; f = e; e = (d + one) | 0; d = c; c = b; b = a; a = (one + two) | 0;
+    });
+    [a, b, c, d, e, f, g, h].forEach((word, place) => { hash[place] = (hash[place] + word) | 0; });
+  }
+  return { hexdigest: () => hash.map((word) => (word >>> 0).toString(16).padStart(8, "0")).join("") };
+};
 const ENTITIES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;" };
 export const escape = (text) => text.replace(/[&<>"']/g, (c) => ENTITIES[c]);
 

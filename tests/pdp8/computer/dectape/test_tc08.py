@@ -6,6 +6,8 @@ import random
 import pytest
 
 from pdp8.computer.dectape.tc08 import TC08, turned
+from pdp8.computer.dectape.tu55 import STOPPED
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
@@ -13,6 +15,7 @@ from pdp8.reels import boot
 from tapes.dectape import WORDS
 from tests.pdp8.computer.bench import core
 from tests.pdp8.computer.dectape.reel import machine, reel
+from tests.pdp8.web.node import in_node, needs_node
 from tests.sampling import some
 
 MOVE, SEARCH, READ, READ_ALL, WRITE, WRITE_ALL = (0o10 * function for function in range(6))
@@ -142,7 +145,7 @@ def test_stopping_carries_the_tape_further_than_starting_uses_up() -> None:
     assert m.core[0o100] <= found + 1
 
 
-BUSY = "7300 1020 6766 6771 5203 6772 7012 7710 5200 1021 6764 6771 5213 6761 7040 5210"
+BUSY = "7300 1020 6766 6771 5203 6772 7200 1021 6764 6771 5211 6772 5200"
 """Back and forth, searching, reading and writing, whatever comes of it."""
 
 
@@ -150,40 +153,85 @@ def some_machine(seed: int) -> tuple[Machine, random.Random]:
     """Return a machine somewhere in the work of a DECtape."""
     draw = random.Random(seed)
     m, _ = machine(draw.choice((0o10000, 0o20000, 0o100000)))
-    m.load(core(f"{draw.choice(('7000', '6001'))} {BUSY} 0/ 0 7300 6772 6001 5400"))
+    m.load(core(f"177/ {draw.choice(('7000', '6001'))} {BUSY} 0/ 0 7300 6772 6001 5400"))
     m.core[0o20] = GO | draw.choice((MOVE, SEARCH, READ, WRITE, READ_ALL)) | draw.choice((0, CONTINUOUS, 4))
     m.core[0o21] = draw.choice((BACKWARDS, SEARCH ^ READ, SEARCH ^ WRITE, CONTINUOUS, GO, 4, WRITE_ALL))
     m.core[0o7754], m.core[0o7755] = draw.randrange(0o10000), draw.randrange(0o1000, 0o7000)
-    m.start(0o200)
-    m.run(draw.choice((0.02, 0.2, 0.4)) * draw.random())
+    m.start(0o177)
+    m.run(draw.choice((0.02, 0.4, 0.8)) * draw.random())
     if draw.random() < 0.3:
         m.run(cycles=draw.randrange(20))
     return m, draw
 
 
-def same_from_here(seed: int) -> None:
+def same_from_here(seed: int) -> bool:
+    """Whether the tape moves there: saved, copied and taken back the machine goes on as it does."""
     m, draw = some_machine(seed)
+    control = m.devices[-1]
+    assert isinstance(control, TC08)
+    moves = control.drives[0].phase != STOPPED
     fresh = TC08()
     fresh.drives[0].mount(reel())
     text = state.save(m)
     copies = [copy.deepcopy(m), state.restore(text, [fresh])]
     assert all(state.save(each) == text for each in copies), seed
+    history, number = History(m), m.instructions
     seconds = draw.choice((0.0003, 0.01, 0.2))
     for each in (m, *copies):
         each.run(seconds)
-    after = state.save(m)
+    after, clock = state.save(m), m.processor.clock
     assert all(state.save(each) == after for each in copies), seed
+    m.run(0.001)
+    rewind.instructions(history, m.instructions - number)
+    assert (state.save(m) == text) == (not m.processor.within()), seed
+    m.run((clock - m.processor.clock) / TICKS_PER_SECOND)
+    assert state.save(m) == after, seed
+    return moves
 
 
 def test_states_of_a_tape_in_motion() -> None:
-    for seed in range(12):
-        same_from_here(seed)
+    moves = [same_from_here(seed) for seed in range(12)]
+    assert sum(moves) > 6
 
 
 @pytest.mark.slow("2,000 states by WHOLE=1")
 def test_many_states_of_a_tape_in_motion() -> None:
     for seed in range(12, 12 + some(2000)):
         same_from_here(seed)
+
+
+IN_JAVASCRIPT = """async ([image, cases]) => {
+  const { Machine } = await import("@/pdp8/computer/machine.mjs");
+  const { TC08 } = await import("@/pdp8/computer/dectape/tc08.mjs");
+  const { Teletype } = await import("@/pdp8/computer/hardware/teletype.mjs");
+  const { restore, save } = await import("@/pdp8/computer/past/state.mjs");
+  const { decode } = await import("@/tapes/dectape.mjs");
+  const [reel] = decode(image);
+  const fitted = () => { const control = new TC08(); control.drives[0].mount(reel); return control; };
+  return cases.map(([words, seconds]) => {
+    const m = new Machine([new Teletype(), fitted()], 0o20000);
+    m.load(words);
+    m.start(0o200);
+    return seconds.map((each) => { m.run(each); return save(restore(save(m), [fitted()])); });
+  });
+}"""
+
+
+@needs_node
+def test_the_page_moves_the_tape_as_python_does() -> None:
+    """Several functions, from one state to the next."""
+    cases, expected, written = [], [], set[int]()
+    for first, then in ((READ, BACKWARDS), (SEARCH, SEARCH ^ WRITE), (WRITE_ALL, READ_ALL)):
+        words = core(f"{BUSY} 0/ 0 7300 6772 6001 5400")
+        words |= {0o20: GO | first, 0o21: then, 0o7754: 0o7600, 0o7755: 0o2000}
+        m, control = machine(0o20000)
+        m.load(words)
+        m.start(0o200)
+        cases.append((list(words.items()), (0.3, 0.017)))
+        expected.append([(m.run(seconds), state.save(m))[1] for seconds in (0.3, 0.017)])
+        written.update(control.drives[0].blocks)
+    assert written
+    assert in_node(IN_JAVASCRIPT, (reel().content(), cases)) == expected
 
 
 def test_back_across_a_written_block() -> None:

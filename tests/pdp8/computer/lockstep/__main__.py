@@ -3,7 +3,7 @@
     python -m tests.pdp8.computer.lockstep INSTRUCTIONS [SEED [PROCESSES]]
 
 Each situation is played compiled and in JavaScript; one in four, a shorter one, in the plain form too; one in
-a hundred is at the Teletype, one in twenty at the panel. Ends with exit status 1 at the first difference,
+a hundred is at the Teletype, one in twenty at the panel, one in five with the rack. Ends with exit status 1 at the first difference,
 after it has shrunk the situation to a listing.
 """
 
@@ -14,15 +14,21 @@ from functools import partial
 
 from tests.pdp8.computer.lockstep.play import Played, listing, play
 from tests.pdp8.computer.lockstep.shrink import shrink
-from tests.pdp8.computer.lockstep.situations import Situation, at_the_panel, at_the_teletype, situation
+from tests.pdp8.computer.lockstep.situations import (
+    Situation,
+    at_the_panel,
+    at_the_teletype,
+    in_the_rack,
+    situation,
+)
 from tests.pdp8.web.node import NODE
 
 EVERY = 30
 """Seconds between two lines that say how far it is."""
 AT_ONCE = 100
 """Situations that the processes are given together."""
-SHORT = 3_000
-"""Instructions of the longest piece that is played in the plain form too."""
+LONGEST, SHORT = 100_000, 3_000
+"""Instructions of the longest piece, and of the longest that is played in the plain form too."""
 FORMS = ("compiled", "javascript") if NODE else ("compiled",)
 
 
@@ -30,6 +36,9 @@ def chosen(seed: int) -> tuple[Situation, tuple[str, ...]]:
     """Return the situation of `seed`, and the forms that play it."""
     if seed % 100 == 99:
         return at_the_teletype(seed), FORMS
+    if seed % 5 == 2:
+        plain = seed % 20 == 2
+        return in_the_rack(seed, SHORT if plain else LONGEST), (*FORMS, "plain") if plain else FORMS
     if seed % 20 == 10:
         return at_the_panel(seed), (*FORMS, "plain")
     return (situation(seed), FORMS) if seed % 4 else (situation(seed, SHORT), (*FORMS, "plain"))

@@ -11,15 +11,19 @@ const { restore, save } = await modules("pdp8/computer/past/state");
 const { History } = await modules("pdp8/computer/past/history");
 const { instructions: go_back } = await modules("pdp8/computer/past/rewind");
 const { TICKS_PER_SECOND } = await modules("pdp8/computer/hardware/signals");
+const { Breaker, Nearer } = await modules("tests/pdp8/computer/lockstep/breaker");
 const { bytes, set } = await modules("pdp8/web/translator/runtime");
 
-const at = (owner, names) => names.reduce((of, name) => of[name], owner);
+const at = (owner, names) => names.reduce((of, name) => (name < 0 ? of.at(name) : of[name]), owner);
 const plain = (value) => (typeof value === "object" ? Buffer.from(value).toString("hex") : Number(value));
+const breakers = (memory) => (memory ? [new Breaker(), new Nearer()] : []);
 
 class Side {
-  constructor({ fast, words, paths }) {
-    this.machine = new Machine();
+  constructor({ fast, words, paths, memory }) {
+    this.machine = new Machine(null, memory || 4096);
+    this.memory = memory;
     if (fast) this.machine.fit(this.machine.highspeed);
+    for (const device of breakers(memory)) this.machine.fit(device);
     this.machine.load(words);
     this.paths = paths.map((path) => [path, path.split(".")]);
     this.marks = [];
@@ -59,7 +63,11 @@ class Side {
       : null;
   }
 
-  deposit_at_pc(beyond, word) { this.machine.core.__setitem__((this.machine.pc + beyond) & 0o7777, word); }
+  deposit_at_pc(beyond, word) {
+    const { pc, core } = this.machine;
+    core.__setitem__((pc & 0o70000) | ((pc + beyond) & 0o7777), word);
+  }
+
   wait(ticks) { this.machine.wait(ticks / TICKS_PER_SECOND); }
   delays(on) { this.count_delays = on; }
   look() { save(this.machine); }
@@ -71,7 +79,7 @@ class Side {
   }
 
   run_cycles(count) { this.machine.run(null, null, count); }
-  save_and_restore() { this.machine = restore(save(this.machine)); }
+  save_and_restore() { this.machine = restore(save(this.machine), breakers(this.memory)); }
   record() { this.history = new History(this.machine); }
 
   back(instructions) { go_back(this.history, instructions); }
@@ -87,7 +95,7 @@ let side, core, seen;
 
 function answer(given) {
   if (!Array.isArray(given)) {
-    [side, core, seen] = [new Side(given), new Uint16Array(4096), {}];
+    [side, core, seen] = [new Side(given), new Uint16Array(given.memory || 4096), {}];
     return null;
   }
   const [name, values] = given;

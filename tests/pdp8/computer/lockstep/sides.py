@@ -207,9 +207,10 @@ class InNode(Side):
 
     def __init__(self, situation: Situation) -> None:
         paths = [path for path in seen_of(situation) if path != "processor.core"]
-        _node().ask({"fast": situation.fast, "words": list(situation.words.items()), "paths": paths})
+        fast, words, memory = situation.fast, list(situation.words.items()), situation.memory
+        _node().ask({"fast": fast, "words": words, "paths": paths, "memory": memory})
         self._seen: Seen = {}
-        self._core = array("H", bytes(2 * 4096))
+        self._core = array("H", bytes(2 * (memory or 4096)))
 
     def do(self, act: Act) -> str | None:
         reason, different, words = _node().ask([act.name, [_as_json(value) for value in act.values]])
