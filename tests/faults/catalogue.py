@@ -1,17 +1,14 @@
 """The catalogue of faults.
 
-A file of faults is of one room. Before the first fault, and again wherever another source begins, stands what
-the faults share:
+A file of faults is of one area; each of its sources has faults, a line each:
 
     [[source]]
     file = "pdp8/computer/hardware/operate.py"
     tests = ["tests/pdp8/computer/hardware/test_instructions.py"]      the fewest that catch them
-
-    [[source.fault]]
-    name = "CIA leaves the link"
-    old = "..."                    in the source exactly once
-    new = "..."
-    tests = [...]                  where others catch it
+    fault = [
+      { name = "CIA leaves the link", old = "...", new = "..." },      `old` is in the source exactly once
+      { name = "...", old = "...", new = "...", tests = [...] },       where others catch it
+    ]
 """
 
 import tomllib

@@ -368,7 +368,7 @@ class Model:
 
     def refuse(self) -> None:
         """The browser keeps no program from now on: before the page is left it asks about what is new."""
-        if self.refuses or self.led:
+        if self.refuses or self.led or self.laid:
             return
         self.page.evaluate(REFUSING)
         self.write()

@@ -1,0 +1,317 @@
+/* global URL, localStorage, sessionStorage */
+// Objects of the page by themselves, on a page that has nothing: what each does the second time, at an end, or while it is
+// still at the first. `cases` has what is seen, and what has to be seen, by what is tried.
+
+const nothing = () => undefined;
+function blank() {
+  return anything;
+}
+/** Answers whatever it is asked. */
+const anything = new Proxy(blank, { get: (_, name) => (name === Symbol.toPrimitive ? () => 0 : name === Symbol.iterator ? [][Symbol.iterator] : name === "then" ? undefined : anything), set: () => true });
+
+/** An element: it keeps what is set, and has one child for each selector. */
+class Element {
+  constructor() {
+    Object.assign(this, { children: [], classes: new Set(), dataset: {}, heard: {}, held: {}, hidden: false, options: [], value: "", textContent: "" });
+    this.classList = { contains: (name) => this.classes.has(name), add: (name) => this.classes.add(name), remove: (name) => this.classes.delete(name), toggle: (name, on = !this.classes.has(name)) => (this.classes[on ? "add" : "delete"](name), on) };
+    Object.assign(this, { style: { setProperty: nothing }, clientWidth: 0, clientHeight: 0, viewBox: { baseVal: { width: 1 } } });
+    for (const name of ["focus", "observe", "setAttribute", "removeAttribute", "replaceChildren", "scrollIntoView", "toggleAttribute", "setSelectionRange", "setPointerCapture", "showModal"]) this[name] = nothing;
+  }
+  addEventListener(name, act) { (this.heard[name] ??= []).push(act); }
+  hear(name, event = {}) { for (const act of this.heard[name] ?? []) act(event); }
+  querySelector(selector) { return (this.held[selector] ??= new Element()); }
+  querySelectorAll(selector) { return [this.querySelector(selector)]; }
+  getBoundingClientRect() { return { left: 0, top: 0, right: 1000, bottom: 0, width: 1 }; }
+  getContext() { return anything; }
+  closest() { return this; }
+  get parentElement() { return (this.parent ??= new Element()); }
+  get previousElementSibling() { return this.querySelector("before"); }
+}
+
+const page = new Element();
+const find = (id) => page.querySelector(id);
+const store = () => {
+  const kept = {};
+  const methods = { getItem: (name) => kept[name] ?? null, setItem: (name, text) => (kept[name] = text), removeItem: (name) => delete kept[name] };
+  return Object.setPrototypeOf(kept, methods);
+};
+const still = { on: false };
+const drawn = []; // what is written on canvases
+class Sheet extends Element {
+  getContext() { return new Proxy(blank, { get: (_, name) => (name === "fillText" ? (text) => drawn.push(text) : anything[name]), set: () => true }); }
+}
+const workers = [];
+class Worker {
+  constructor() { this.asked = []; workers.push(this); }
+  postMessage(message) { this.asked.push(message); }
+  terminate() {}
+}
+URL.createObjectURL = () => "blob:";
+Map.groupBy ??= () => new Map(); // Node.js 20 has none
+Object.assign(globalThis, {
+  Worker, OffscreenCanvas: Sheet, Path2D: blank, ResizeObserver: Element, IntersectionObserver: Element, Option: Element, CSS: { escape: String },
+  addEventListener: (...given) => page.addEventListener(...given), window: { devicePixelRatio: 1 },
+  document: Object.assign(page, { getElementById: find, createElement: () => new Element(), body: new Element(), documentElement: new Element() }),
+  history: { pushState: nothing, replaceState: nothing }, location: { hash: "", href: "", search: "" },
+  matchMedia: (query) => ({ matches: still.on && query.includes("reduced") }), requestAnimationFrame: nothing, cancelAnimationFrame: nothing,
+  sessionStorage: store(), localStorage: store(),
+});
+
+const get = async (module) => import(`./pdp8/web/${module}.mjs`);
+const machine = async () => new (await import("./pdp8/computer/machine.mjs")).Machine((await import("./pdp8/computer/hardware/devices.mjs")).one_of_each());
+const soon = (milliseconds = 0) => new Promise((done) => setTimeout(done, milliseconds));
+
+/** A room over an afternoon of seven acts of a hundred seconds each; `released` has the machines that were given back. */
+async function room(reduced = false) {
+  still.on = reduced;
+  const acts = Array.from({ length: 7 }, (_, at) => ({ kind: "", starts: at * 2e9, ends: (at + 1) * 2e9 }));
+  const story = Array.from({ length: 8 }, (_, at) => [`${at}`, `act ${at}`]);
+  const bench = {
+    released: [], machine: await machine(), record: { afternoon: { machines: [[0]], story } }, say: nothing, show: nothing, first: nothing,
+    clock: { pictures: { stop: nothing } }, sound: { hum: nothing }, writer: { text: nothing }, adopt: (own) => (bench.machine = own),
+    touch: (work) => ((bench.afternoon.on = false), work(bench.machine)),
+    afternoon: { on: false, script: { now: 0, act: acts[0], day: { acts } }, lead() { this.on = true; bench.machine = bench.led; }, release: (own) => bench.released.push(own) },
+  };
+  bench.led = await machine();
+  return new (await get("room/room")).Room(bench);
+}
+
+async function worked(word) {
+  const made = await machine();
+  made.processor.deposit(0o200, word);
+  return made;
+}
+
+/** An afternoon whose script stands at its end. */
+async function afternoon() {
+  const clock = { wake: nothing };
+  const bench = { clock, show: nothing, tell: nothing, aim: nothing, history: { close: nothing }, record: { afternoon: { machines: [] } }, switches: { panel: {}, card: { end: nothing } } };
+  const made = new (await get("bench/afternoon")).Afternoon(bench);
+  made.made = { now: 9, end: 9, act: { name: "" }, machine: await machine(), to(tick) { this.now = tick; } };
+  made.on = true;
+  return made;
+}
+
+/** A figure whose only input has a name and a value. */
+async function figure(id, name, value, dataset = {}) {
+  const input = Object.assign(find(id).querySelector("input"), { name, value: String(value), dataset });
+  return [input, await get("curve/drawing")];
+}
+
+export const cases = {
+  "at the switches, the machine before is not brought back": async () => {
+    const made = await room();
+    made.bench.machine = await worked(1);
+    made.enter();
+    made.take();
+    made.leave();
+    return [made.bench.released.length, 0];
+  },
+  "left without a touch, it is": async () => {
+    const made = await room();
+    const own = (made.bench.machine = await worked(1));
+    made.enter();
+    made.leave();
+    return [made.bench.released[0] === own, true];
+  },
+  "taken again, the switches are as they were left": async () => {
+    const made = await room();
+    made.enter();
+    made.take();
+    const own = (made.bench.machine = await worked(2));
+    made.take();
+    const story = made.bench.machine !== own;
+    made.take();
+    return [[story, made.bench.machine === own], [true, true]];
+  },
+  "the story plays as it is entered": async () => {
+    const made = await room();
+    made.enter();
+    const plays = made.playing;
+    made.enter(5);
+    return [[plays, made.playing], [true, false]];
+  },
+  "nothing plays where nothing shall move": async () => {
+    const made = await room(true);
+    made.enter();
+    return [made.playing, false];
+  },
+  "at the story's end it plays from its first act": async () => {
+    const made = await room();
+    made.enter();
+    made.go({ value: 7 });
+    made.tour.wall = 1000;
+    made.playing = false;
+    made.toggle();
+    return [made.tour.turn, 1];
+  },
+  "an act's last tick is its own, the next is not": async () => {
+    const { tour } = await room().then((made) => (made.enter(), made));
+    const { ends } = tour.day.acts[1];
+    return [[ends - 1, ends].map((tick) => (tour.at(tick), tour.turn)), [2, 3]];
+  },
+  "the picture to keep has the last rows": async () => {
+    drawn.length = 0;
+    (await get("room/keepsake")).keepsake(Uint8Array.from([...Array(100).fill(0o301), 0o332]), "Z");
+    return [drawn.filter((text) => text).slice(-3, -2), ["Z"]];
+  },
+  "a switch that locks is marked by itself": async () => {
+    const { Hands } = await get("room/hands");
+    const buttons = ["", "mem prot", "sing step"].map((key) => ({ role: "switch", dataset: { key } }));
+    const hands = Object.assign(Object.create(Hands.prototype), { buttons });
+    const seen = [[0, 0], [1, 0], [1, 1], [0, 1]].map(([mem_prot, sing_step]) => (hands.mark({ sr: 0, mem_prot, sing_step }), buttons.map(({ ariaChecked }) => ariaChecked === "true").slice(1)));
+    return [seen, [[false, false], [true, false], [true, true], [false, true]]];
+  },
+  "a reload finds its own tab's, another visit the last": async () => {
+    const { keep, kept } = await get("bench/store");
+    keep("one", "mine");
+    localStorage.setItem("one", "another's");
+    const own = kept("one");
+    delete sessionStorage.one;
+    return [[own, kept("one")], ["mine", "another's"]];
+  },
+  "what was refused once is read from the browser again": async () => {
+    const programs = new (await get("bench/store")).Store("program");
+    const { setItem } = localStorage;
+    Object.getPrototypeOf(localStorage).setItem = () => { throw new Error("full"); };
+    programs.keep("a", "refused");
+    const { refused } = programs, held = programs.get("a");
+    Object.getPrototypeOf(localStorage).setItem = setItem;
+    programs.keep("a", "kept");
+    localStorage.setItem("pdp8 program: a", "another tab's");
+    return [[refused, held, programs.refused, programs.get("a")], ["full", "refused", "", "another tab's"]];
+  },
+  "before anything is lost it is asked": async () => {
+    const { Session } = await get("bench/session");
+    const seen = ["", "answers", "marks", "programs"].map((name) => {
+      const [answers, marks, programs] = ["answers", "marks", "programs"].map((of) => ({ refused: of === name ? "full" : "" }));
+      page.heard.beforeunload = [];
+      new Session({ editor: { keep: nothing }, exercises: { answers, marks }, programs }, {});
+      let asked = false;
+      page.hear("beforeunload", { preventDefault: () => (asked = true) });
+      return asked;
+    });
+    return [seen, [false, true, true, true]];
+  },
+  "of many tapes the newest are kept": async () => {
+    page.querySelectorAll = () => [];
+    const shelf = new (await get("bench/shelf")).Shelf({});
+    const names = Array.from({ length: 25 }, () => shelf.put("t.asc", [1]));
+    return [shelf.kept.map(([name]) => name), names.slice(5)];
+  },
+  "a play that is dragged goes on, one that stood stands": async () => {
+    const made = Object.assign(await afternoon(), { go: nothing });
+    const seen = [true, false, true].map((on) => {
+      made.play(on);
+      for (const value of [1, 2]) made.drag({ value });
+      const waits = !made.playing;
+      made.drop();
+      return [waits, made.playing];
+    });
+    return [seen, [[true, true], [true, false], [true, true]]];
+  },
+  "a play at the afternoon's end begins anew": async () => {
+    const made = await afternoon();
+    made.play(true);
+    return [[made.playing, made.script.now], [true, 0]];
+  },
+  "a speed is measured anew": async () => {
+    const clock = new (await get("bench/clock")).Clock({}, nothing);
+    clock.measured = 17;
+    clock.speed = 1;
+    return [clock.kept, ""];
+  },
+  "Run mills from the beginning once all is milled": async () => {
+    const { Mill } = await get("bench/mill");
+    const seen = [1, -0.5, 0.5].map((part) => {
+      const mill = Object.assign(Object.create(Mill.prototype), { part, pictures: { start: nothing } });
+      mill.run();
+      return mill.part;
+    });
+    return [seen, [0, 0, 0.5]];
+  },
+  "a tape is translated onto an empty punch": async () => {
+    const { Parts } = await get("bench/parts");
+    const done = [];
+    const made = await machine();
+    made.teletype.punch.frames.append(1);
+    const bench = {
+      machine: made, clock: { speed: 1 }, editor: { open: nothing, load: nothing }, shelf: { get: () => ({}) }, teletype: { mount: nothing },
+      switches: { press: (key) => done.push(key, made.teletype.punch.frames.length) }, time: { setSpeed: nothing },
+    };
+    Object.assign(Object.create(Parts.prototype), { bench, name: "a.asc" }).translate();
+    return [done, ["start", 0]];
+  },
+  "a new part is neither translated nor cut yet": async () => {
+    const { Parts } = await get("bench/parts");
+    const parts = Object.assign(Object.create(Parts.prototype), { bench: { apart: { ask: () => new Promise(nothing) }, record: { parts: [] } } });
+    for (const id of ["part-translate", "part-cut"]) find(id).disabled = false;
+    find("part-options").querySelectorAll = () => [];
+    parts.punch();
+    return [["part-translate", "part-cut"].map((id) => find(id).disabled), [true, true]];
+  },
+  "counts begin at 0 each time": async () => {
+    const { Editor } = await get("bench/editor");
+    const bench = { machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs: {}, shelf: {} };
+    const editor = new Editor(bench);
+    editor.count({ checked: true });
+    const { counts } = editor;
+    const first = bench.machine.watch.observer === counts;
+    editor.count({ checked: false });
+    editor.count({ checked: true });
+    return [[first, editor.counts === counts, bench.machine.watch.observer === editor.counts], [true, false, true]];
+  },
+  "marks come under the exercise that is open": async () => {
+    const { Exercises } = await get("bench/exercises");
+    const exercises = { a: { title: "A", task: "" }, b: { title: "B", task: "" } };
+    let answer;
+    const bench = { record: { exercises: { ...exercises, add: exercises.a } }, editor: { name: "a.pal", text: "" }, programs: { get: nothing }, apart: { ask: () => new Promise((done) => (answer = done)) } };
+    const made = new Exercises(bench);
+    made.open("a");
+    const marking = made.markOpen();
+    made.open("b");
+    find("marks").innerHTML = "those of b";
+    answer({ right: true, points: 1, of: 1, said: "", wrong: [] });
+    await marking;
+    return [[find("marks").innerHTML, made.marks.read("a")], ["those of b", [1, 1, true]]];
+  },
+  "Cut cuts again once all is cut": async () => {
+    const [input] = await figure("whole", "time", 1000);
+    const button = new Element();
+    (await get("curve/whole")).whole(button);
+    button.hear("click");
+    return [input.value, "0"];
+  },
+  "what is set while a figure is made is drawn too": async () => {
+    const [input, { Figure }] = await figure("x", "size", 1);
+    const { Wanted } = await get("curve/made");
+    const shown = [];
+    let answer;
+    const first = new Promise((done) => (answer = done));
+    const of = new Figure("x", ({ size }) => {
+      if (!shown.length) shown.push("waits");
+      else return [shown.push(size) && "", 1, ""];
+      throw new Wanted(first);
+    });
+    of.near = true;
+    of.show();
+    input.value = "2";
+    of.show();
+    answer();
+    await soon(20);
+    return [shown, ["waits", 1, 2]];
+  },
+  "the start of a circle is called what it is": async () => {
+    const { roundness } = await get("curve/roundness");
+    const input = Object.assign(find("roundness").querySelector("input"), { name: "closed", type: "checkbox", dataset: {} });
+    const others = [["times", 1], ["cutter", 8]].map(([name, value]) => Object.assign(new Element(), { name, value: String(value) }));
+    find("roundness").querySelectorAll = () => [input, ...others];
+    const of = roundness();
+    const seen = [true, false].map((checked) => {
+      input.checked = checked;
+      of.now();
+      return /where [a-z ]+/.exec(of.said.innerHTML)[0];
+    });
+    return [seen, ["where it starts and ends", "where the last cut is missing"]];
+  },
+};
