@@ -277,7 +277,7 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
 def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) -> Walls:
     """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off.
 
-    A normal that leads into what is cut from the tip's other side meets no wall: its neighbours' error stands.
+    A normal that leads into the cut from the tip's other side meets no wall: its neighbours' error counts.
     """
     if not (measured.part_wall and len(curve.tips)):
         return measured
