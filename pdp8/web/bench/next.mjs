@@ -32,6 +32,6 @@ function standing({ core, pc, sing_step: step }, why) {
 }
 
 /** Whether a pane is not in the page, which shows but some. */
-function out(pane) {
+export function out(pane) {
   return find(pane).classList.contains("out");
 }
