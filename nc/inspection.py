@@ -52,7 +52,9 @@ _PIECE = 10.0
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """The error of each wall at each station, (n,), thousandths outward or nan; `part_wall` is the part's."""
+    """The error of each wall at each station, (n,), thousandths outward; nan: no wall. `part_wall` is the
+    part's.
+    """
 
     stations: Stations
     outer: Floats
@@ -61,14 +63,16 @@ class Walls:
 
     @property
     def by_name(self) -> dict[str, Floats]:
-        """The measured walls by the names that reports and drawings use."""
+        """The walls that are measured, by what they are called in reports and drawings."""
         both = {"outer": self.outer, "inner": self.inner}
         return {self.part_wall: both[self.part_wall]} if self.part_wall else both
 
 
 @dataclass(frozen=True)
 class Reading:
-    """The least and greatest error of a wall, thousandths outward, at normals of `angle` degrees or all."""
+    """The lowest and highest error of a wall, thousandths outward, near normals at `angle` degrees; None:
+    anywhere.
+    """
 
     place: str
     angle: float | None
@@ -106,13 +110,13 @@ class Inspection:
 
     @property
     def worst(self) -> Reading:
-        """The reading with the greatest trough to peak at one place, or that of the whole curve."""
+        """The reading of the greatest trough to peak at one place, or of the whole if there is no other."""
         places = [reading for reading in self.readings if reading.angle is not None] or self.readings
         return max(places, key=lambda reading: reading.trough_to_peak)
 
     @property
     def furthest(self) -> Reading:
-        """The reading with the greatest error, at one place if possible."""
+        """The reading of the greatest error, at a place if it is at one."""
         return max(self.readings, key=lambda reading: (abs(reading.error), reading.angle is not None))
 
     @property
@@ -127,7 +131,7 @@ class Inspection:
 
     @property
     def without(self) -> dict[str, float]:
-        """The part of the curve, 0 to 1, along which this wall is missing."""
+        """The part of the curve, 0 to 1, along which the cutter left no such wall."""
         uncut = self.uncut
         return {wall: float(np.isnan(error).mean()) - uncut for wall, error in self.walls.by_name.items()}
 
@@ -196,13 +200,13 @@ def _off(places: Floats, stations: Stations, reach: float) -> Floats:
 
 
 def _groups(stations: Stations) -> Iterator[Stations]:
-    """Yield the stations in groups."""
+    """Yield the stations, some at a time."""
     for first in range(0, len(stations), _GROUP):
         yield stations.part(slice(first, first + _GROUP))
 
 
 def _about(points: Floats, reach: float, low: Floats, high: Floats) -> Iterator[NDArray[np.intp]]:
-    """Yield, in groups, the indices of boxes (n, 2) within `reach` of the points' bounding box."""
+    """Yield the indices of boxes (n, 2) within `reach` of the box about the points, some at a time."""
     floor, ceiling = points.min(axis=0) - reach, points.max(axis=0) + reach
     near = np.flatnonzero(((high >= floor) & (low <= ceiling)).all(axis=1))
     for first in range(0, len(near), _AT_ONCE):
@@ -257,7 +261,7 @@ def walls(
 
 
 def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
-    """Whether the wall `off` the curve remains after a cutter of that radius goes along `path`."""
+    """Return where the wall `off` the curve is left by a cutter of that radius that goes along `path`."""
     some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
     nearest = np.full(len(some), np.inf)
     for number, here in enumerate(_groups(stations.part(some))):
@@ -273,7 +277,7 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
 def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) -> Walls:
     """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off.
 
-    A normal that leads into the cut from the tip's other side meets no wall: its neighbours' error counts.
+    A normal that leads into what is cut from the tip's other side meets no wall: its neighbours' error holds.
     """
     if not (measured.part_wall and len(curve.tips)):
         return measured
@@ -309,12 +313,12 @@ def _is_cut(places: Floats, cuts: Floats, radius: float) -> NDArray[np.bool_]:
 
 
 def _at(points: Floats) -> Stations:
-    """Return stations at points that belong to no curve."""
+    """Return stations at points of no curve."""
     return Stations(points, np.zeros_like(points), np.zeros(len(points)))
 
 
 def _finer(measured: Walls) -> Stations:
-    """Return more stations close to the innermost and outermost turning points of the walls."""
+    """Return stations close about the places where the walls turn that are furthest in and out."""
     turns: set[int] = set()
     for error in measured.by_name.values():
         for level in (error, -error):
@@ -333,7 +337,7 @@ def _finer(measured: Walls) -> Stations:
 
 
 def _joined(one: Walls, other: Walls) -> Walls:
-    """Return the walls at both sets of stations, for readings."""
+    """Return the walls at the stations of both, for readings."""
     here, there = one.stations, other.stations
     stations = Stations(
         np.concatenate([here.points, there.points]),

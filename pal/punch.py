@@ -26,7 +26,7 @@ def tape(output: Output) -> bytes:
 
 
 def frames_of(piece: Written | Punched) -> bytes:
-    """Return the frames that punch one item."""
+    """Return its frames."""
     if isinstance(piece, Written):
         return binary.word(piece.word)
     if piece.kind == binary.FIELD:

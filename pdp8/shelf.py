@@ -69,7 +69,7 @@ def _unpacked(folder: str) -> str:
 
 
 def _laid() -> dict[str, str]:
-    """Return the path of each bundled file."""
+    """Return where each bundled file is."""
     house = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     laid: dict[str, str] = {}
     for package, endings in _BUNDLED.items():
@@ -82,7 +82,7 @@ _bundled = _laid()
 
 
 class _Watch:
-    """The files read, by identity, and the paths of those written."""
+    """The files that were read, by what identifies them, and the paths of those that were written."""
 
     def __init__(self) -> None:
         self.read: set[object] = set()
@@ -91,7 +91,7 @@ class _Watch:
 
 @contextmanager
 def watched() -> Iterator[None]:
-    """Within it, files that were read are not replaced, unless they were written there first."""
+    """Watch the shelf: what is read inside is not written inside, unless it was written there first."""
     _watches.append(_Watch())
     try:
         yield
@@ -253,7 +253,7 @@ def check_kind(name: str, kind: str) -> None:
 
 
 def leave(name: str, content: bytes, kind: str) -> str:
-    """Write a session's product, of a kind that `check_kind` knows; return the message for it."""
+    """Write a product of a session, of a kind that `check_kind` knows; return what to say of it."""
     if name == "-":
         raise ShelfError("-: standard output has what is said; name a file")
     check_kind(name, kind)
@@ -261,7 +261,7 @@ def leave(name: str, content: bytes, kind: str) -> str:
 
 
 def told(name: str, replaced: bool) -> str:
-    """Return the message for a written file."""
+    """Return what is said of a file that was written."""
     return f"{'replaced' if replaced else 'wrote'} {name}"
 
 

@@ -34,12 +34,12 @@ class Literals:
         self._left: list[set[int]] = [set() for _ in range(_PAGES)]  # values of pages that were left
 
     def enter(self, page: int) -> None:
-        """Start a page; its earlier literals are not reused."""
+        """Come to a page, whose earlier literals are not found again."""
         self.end = self.bottom[page]
         self._here = {}
 
     def leave(self, page: int) -> None:
-        """Remember the literals of a page."""
+        """Remember what was stored on a page."""
         self._left[page].update(self._here)
 
     def wipe(self, page: int) -> None:
@@ -48,7 +48,7 @@ class Literals:
         self.top[page] = 0
 
     def pass_word(self, page: int, below: int) -> None:
-        """Store a word at an offset of a page; it replaces literals there."""
+        """Let a word be stored at an offset of a page; where literals are, it displaces them."""
         if below >= self.top[page]:
             self.top[page] = below + 1
         if below >= self.bottom[page]:

@@ -23,13 +23,13 @@ Look = Callable[[float], None]
 
 
 class Goal(NamedTuple):
-    """The end of the subroutine at `entry`; after an interrupt the instruction is still to be executed."""
+    """The return of the subroutine at `entry`; after an interrupt's the instruction is still to be done."""
 
     entry: int
     interrupt: bool = False
 
     def places(self, machine: Machine) -> set[int]:
-        """Return the subroutine's return addresses, past arguments if it counts up its first word."""
+        """Return where the subroutine may return to: past arguments if it counts its first word up by ISZ."""
         core = machine.core
         back = core[self.entry]
         counts = any(
@@ -52,7 +52,7 @@ def into(machine: Machine) -> Stop:
 
 
 def over(machine: Machine) -> tuple[Stop, Goal | None]:
-    """Execute one instruction; return the goal too if it was a call or interrupted."""
+    """Do one instruction; return the goal too if it, or an interrupt before it, was a call."""
     p = machine.processor
     interrupt = p.next == INTERRUPT
     stop = into(machine)

@@ -61,7 +61,7 @@ def clock(tick: int) -> str:
 
 
 class Kind(StrEnum):
-    """The subject of an act."""
+    """What an act is about."""
 
     TERMINAL = "terminal"
     TOGGLE = "toggle"
@@ -92,7 +92,7 @@ class Act(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """The inspection's result: the act's name, its sentence, its outcome."""
+    """What the inspection found: the act's name, its sentence, its outcome."""
 
     name: str
     say: str
@@ -116,12 +116,12 @@ class Course:
 
 
 def _bin_tape(assembly: Assembly) -> bytes:
-    """Return the BIN loader's tape for RIM."""
+    """Return the tape of the BIN loader, which RIM reads."""
     return rim.encode(assembly.words)
 
 
 def _eia_tape(assembly: Assembly) -> bytes:
-    """Return the translation program's tape, from its leader on, for BIN."""
+    """Return the tape of the translation program, from its leader, for the BIN loader."""
     return assembly.tape[frames.leader_start(assembly.tape) or 0 :]
 
 
@@ -170,7 +170,7 @@ class Day:
 
     @property
     def course(self) -> Course:
-        """The day's results, from which a Script can restore any instant."""
+        """The results of the day, from which script makes any instant of it again."""
         return Course(self.part, self.acts, self.actions, self.tapes, self.mill_starts)
 
     @property

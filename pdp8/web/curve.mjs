@@ -9,16 +9,13 @@ import { costs, curved } from "./curve/quarter.mjs";
 import { roundness } from "./curve/roundness.mjs";
 import { one, piecewise, stepwise } from "./curve/slopes.mjs";
 import { whole } from "./curve/whole.mjs";
+import { find } from "./written.mjs";
 
 async function start() {
   const record = await pack.record;
   const figures = { near: near(), one: one(), piecewise: piecewise(record), stepwise: stepwise(), curved: curved(), costs: costs() };
-  figures.whole = whole(document.getElementById("cut"));
-  figures.holes = holes();
-  figures.computer = computer(record);
-  figures.roundness = roundness();
-  figures.own = own(record, document.getElementById("save"), document.getElementById("open"));
-  window.curve = { figures };
+  Object.assign(figures, { whole: whole(find("cut")), holes: holes(), computer: computer(record), roundness: roundness() });
+  window.curve = { figures: Object.assign(figures, { own: own(record, find("save"), find("open")) }) };
 }
 
 if (globalThis.document) start();

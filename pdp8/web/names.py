@@ -14,7 +14,9 @@ EXPORT = re.compile(
     r"^export (?=(?:class|const|function\*?|async function) ([\w$]+|\{[^}]*\}))", re.MULTILINE
 )
 COMMENT = re.compile(
-    r"""^\s*(?://.*|/\*\*(?s:.*?)\*/)\n|^[ \t]+|^\n|(?<=[;,{}\[\])]) // [^"'`\n]*$""", re.MULTILINE
+    r"""/\*\* @type [^*\n]*\*/ |^\s*(?://.*|/\*\*(?:[^*]|\*(?!/))*\*/)\n"""
+    r"""|^[ \t]+|^\n|(?<=[;,{}\[\])]) // [^"'`\n]*$""",
+    re.MULTILINE,
 )
 _DECLARED = re.compile(
     r"^(?:export )?(?:const|let|class|function\*?|async function) ([\w$]+|\{[^}]*\})", re.MULTILINE

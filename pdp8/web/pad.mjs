@@ -6,12 +6,12 @@ const [FROM, STEP, COUNT, LOW, HIGH, EDGE] = [2000, 40, 101, 3600, 6400, 200]; /
 
 export class Pad {
   /** `changed()` is called with each move of the finger, and when it is lifted; fit() comes before the first. */
-  constructor(svg, changed) {
+  constructor(/** @type {SVGSVGElement} */ svg, /** @type {() => void} */ changed) {
     this.svg = svg;
     this.heights = Array.from({ length: COUNT }, (_, n) => Math.round(5000 + 800 * Math.sin(n / 13) * Math.exp(-n / 90)));
     this.finger = null;
     svg.addEventListener("pointerdown", (event) => {
-      if (event.target.closest("[data-hold]") || !this.#inside(event)) return;
+      if (event.target?.closest("[data-hold]") || !this.#inside(event)) return;
       event.preventDefault();
       svg.setPointerCapture(event.pointerId);
       this.finger = this.#at(event);
@@ -32,8 +32,9 @@ export class Pad {
   }
 
   /** Let the frame fill a box of the drawing; return where places stand in it. */
-  fit(box) {
-    return (this.view = new View({ left: FROM - 100, right: FROM + STEP * (COUNT - 1) + 100, bottom: LOW, top: HIGH }, box));
+  fit(/** @type {Box} */ box) {
+    /** @type {View} */ this.view = new View({ left: FROM - 100, right: FROM + STEP * (COUNT - 1) + 100, bottom: LOW, top: HIGH }, box);
+    return this.view;
   }
 
   get places() {
@@ -51,7 +52,7 @@ export class Pad {
   }
 
   /** How far along the curve a place is, and how far off it, square to it. */
-  beside({ x, y }) {
+  beside(/** @type {Place} */ { x, y }) {
     const n = Math.min(COUNT - 2, Math.max(0, Math.floor((x - FROM) / STEP)));
     const rise = (this.heights[n + 1] - this.heights[n]) / STEP;
     return { x: x - FROM, y: (y - this.heights[n] - rise * (x - FROM - STEP * n)) / Math.hypot(1, rise) };
@@ -62,21 +63,21 @@ export class Pad {
     return STEP * (COUNT - 1);
   }
 
-  #inside(event) {
+  #inside(/** @type {PointerEvent} */ event) {
     const { y, height } = this.view.box;
     const { top, width } = this.svg.getBoundingClientRect();
     const down = ((event.clientY - top) * this.svg.viewBox.baseVal.width) / width;
     return down >= y && down <= y + height;
   }
 
-  #at({ clientX, clientY }) {
+  #at(/** @type {PointerEvent} */ { clientX, clientY }) {
     const { left, top, width } = this.svg.getBoundingClientRect();
     const scale = this.svg.viewBox.baseVal.width / width;
     const { x, y } = this.view.place((clientX - left) * scale, (clientY - top) * scale);
     return { n: (x - FROM) / STEP, y: Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y)) };
   }
 
-  #draw(before, now) {
+  #draw(/** @type {{ n: number; y: number }} */ before, /** @type {{ n: number; y: number }} */ now) {
     const [one, other] = before.n < now.n ? [before, now] : [now, before];
     this.drawn = [Math.min(this.drawn[0], one.n), Math.max(this.drawn[1], other.n)];
     for (let n = Math.max(0, Math.ceil(one.n)); n <= Math.min(COUNT - 1, other.n); n++) {

@@ -11,7 +11,7 @@ const LEVELS = 12; // of brightness: a smaller change is not drawn
 const INERTIA = 0.6; // what a filament keeps of its brightness from one picture to the next
 
 export class Panel {
-  constructor(place) {
+  constructor(/** @type {HTMLElement} */ place) {
     this.hands = new Hands(place.querySelector(".hand"));
     this.filaments = new Filaments();
     this.button = find("in-words");
@@ -21,12 +21,12 @@ export class Panel {
   /** Show the machine: its lamps as bright as they were in some samples, or as they are; the key that is being pressed,
    *  if any.
    */
-  show(machine, pressed, samples) {
-    this.machine = machine;
-    this.pressed = pressed;
+  show(/** @type {Machine} */ machine, /** @type {string | null} */ pressed, /** @type {Lamps[] | undefined} */ samples) {
+    /** @type {Machine} */ this.machine = machine;
+    /** @type {string | null} */ this.pressed = pressed;
     this.filaments.follow(samples ?? [machine.panel.lamps], samples ? INERTIA : 0);
     this.hands.mark(machine.processor);
-    this.words = samples && machine.processor.run ? "running" : inWords(machine);
+    /** @type {string} */ this.words = samples && machine.processor.run ? "running" : inWords(machine);
     if (this.speaking) this.#say(this.words);
     this.#draw();
   }
@@ -55,14 +55,14 @@ export class Panel {
     this.#say(this.speaking ? this.words : "");
   }
 
-  #say(words) {
+  #say(/** @type {string} */ words) {
     const place = this.button.nextElementSibling;
     if (place.textContent !== words) place.textContent = words;
   }
 }
 
 /** What the lamps say. */
-export function inWords({ link, ac, processor: { ma, mb, ir, state, ion, run } }) {
+export function inWords(/** @type {Machine} */ { link, ac, processor: { ma, mb, ir, state, ion, run } }) {
   return `memory address ${octal(ma)}, memory buffer ${octal(mb)}, link ${link}, accumulator ${octal(ac)}, `
     + `instruction ${ir}, ${STATES[state].toLowerCase()}${ion ? ", interrupt on" : ""}, ${run ? "running" : "stopped"}`;
 }

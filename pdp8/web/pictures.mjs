@@ -12,7 +12,7 @@ export const READABLE = 250; // ms between two writings of what runs faster than
 
 export class Pictures {
   /** `show(milliseconds, now)` shows what has changed in that time; the row goes on while it returns true. */
-  constructor(show, speed = Infinity) {
+  constructor(/** @type {(milliseconds: number, now: number) => boolean} */ show, speed = Infinity) {
     this.speed = speed; // how many times as fast as it was
     this.show = show;
     this.running = false;
@@ -21,14 +21,14 @@ export class Pictures {
   start() {
     if (this.running) return;
     this.running = true;
-    this.before = performance.now();
+    /** @type {number} */ this.before = performance.now();
     this.#wait();
   }
 
   stop() {
     this.running = false;
     clearTimeout(this.due);
-    cancelAnimationFrame(this.coming);
+    cancelAnimationFrame(/** @type {number} */ (this.coming));
   }
 
   #wait() {
@@ -37,7 +37,7 @@ export class Pictures {
     this.due = setTimeout(() => (this.coming = requestAnimationFrame((now) => this.#picture(now))), due);
   }
 
-  #picture(now) {
+  #picture(/** @type {number} */ now) {
     const passed = Math.min(now - this.before, LONGEST);
     this.before = now;
     this.running = this.show(passed, now) && this.running;

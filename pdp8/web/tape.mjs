@@ -17,14 +17,14 @@ const TOP = 16; // for the channels' numbers
 const SPACE = "␣"; // hangs below its line: drawn a little higher, it stays off the next
 
 /** What of a `view` is to be seen: two views with the same key look the same. */
-export function tapeKey(view) {
+export function tapeKey(/** @type {TapeView} */ view) {
   return `${view.label} ${view.head} ${view.frames.length} ${view.punching}`;
 }
 
 /** Draw `view` = {frames, head, code, punching}: `head` is the frame under the head; a punch shows nothing beyond it. */
-export function drawTape(context, view, width, height, look) {
+export function drawTape(/** @type {Canvas} */ context, /** @type {TapeView} */ view, /** @type {number} */ width, /** @type {number} */ height, /** @type {Colours} */ look) {
   const { ratio, rust, soft } = look;
-  const whole = (pixels) => Math.floor(pixels * ratio) / ratio; // of the screen
+  const whole = (/** @type {number} */ pixels) => Math.floor(pixels * ratio) / ratio; // of the screen
   const pitch = whole(Math.max(6, Math.min(15, (width - NUMBERS - MEANINGS) / WIDE)));
   const left = whole(NUMBERS + Math.max(0, (width - NUMBERS - MEANINGS - WIDE * pitch) / 2));
   const y = whole(TOP + (height - TOP) * (view.punching ? 0.7 : 0.5)); // of the head
@@ -51,7 +51,7 @@ export function drawTape(context, view, width, height, look) {
 }
 
 /** What a frame says, at its right, and the number of each tenth, at its left. Signs are pictures: drawing them costs most. */
-function drawBeside(context, { code, frames, head }, frame, { left, pitch, y, ratio, ink, soft, rust }) {
+function drawBeside(/** @type {Canvas} */ context, /** @type {TapeView} */ { code, frames, head }, /** @type {number} */ frame, /** @type {Colours & { left: number; pitch: number; y: number }} */ { left, pitch, y, ratio, ink, soft, rust }) {
   const current = frame === head;
   const [colour, weight] = current ? [rust, "bold "] : [ink, ""];
   const said = sign(frames[frame], code);

@@ -28,21 +28,22 @@ import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
-import { DESK, find, grouped, octal, readdress } from "./written.mjs";
+import { DESK, find, grouped, LATER, octal, readdress } from "./written.mjs";
 
-const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
+/** @type {Record<string, string>} */ const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
 const FARTHEST = 50_000_000; // instructions that a link may have run: two or three seconds
 const MEMORY = 32 << 20; // bytes of what can be undone
 
-class Bench {
-  constructor(record) {
+export class Bench {
+  constructor(/** @type {any} */ record) {
     this.record = record;
     this.machine = new Machine(one_of_each());
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
     this.shared = ""; // what a link was asked for, as a file
-    this.texts = null; // the bundled tapes as a state has them, once they are asked for
+    this.written = 0; // when what is read was
+    this.texts = /** @type {Map<string, string> | null} */ (null); // the bundled tapes as a state has them, once they are asked for
     this.until = new Goal();
     this.remember();
     this.sound = new Sound();
@@ -51,15 +52,19 @@ class Bench {
     this.afternoon = new Afternoon(this);
     this.room = new Room(this);
     this.clock = new Clock(this, (samples, reason) => this.#pictured(samples, reason));
-    this.apart = this.core = this.editor = this.exercises = this.mill = this.parts = this.programs = this.registers = null; // the desk's
-    this.session = this.switches = this.tabs = this.teletype = this.time = null;
+    /** @type {Desk["Apart"]} */ this.apart = LATER; /** @type {Desk["Core"]} */ this.core = LATER; /** @type {Desk["Editor"]} */ this.editor = LATER;
+    /** @type {Desk["Exercises"]} */ this.exercises = LATER; /** @type {Desk["Mill"]} */ this.mill = LATER; /** @type {Desk["Parts"]} */ this.parts = LATER;
+    /** @type {Desk["Store"]} */ this.programs = LATER; /** @type {Desk["Session"]} */ this.session = LATER; /** @type {Desk["Switches"]} */ this.switches = LATER;
+    /** @type {Desk["Tabs"]} */ this.tabs = LATER; /** @type {Desk["Teletype"]} */ this.teletype = LATER; /** @type {Desk["Time"]} */ this.time = LATER;
+    /** @type {{ state: string; breakpoints: number[] }} */ this.before = LATER;
+    this.why = "";
     this.ready = false; // whether the desk is there
-    this.opening = null; // and when it will be
+    this.opening = /** @type {Promise<void> | null} */ (null); // and when it will be
     document.addEventListener("dragover", (event) => event.preventDefault());
     document.addEventListener("drop", (event) => {
       event.preventDefault();
-      const reader = event.target.closest("#reader");
-      [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
+      const reader = event.target?.closest("#reader");
+      [...(event.dataTransfer?.files ?? [])].forEach((file) => this.take(file, reader));
     });
   }
 
@@ -83,7 +88,7 @@ class Bench {
   }
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
-  adopt(machine, stops = false) {
+  adopt(/** @type {Machine} */ machine, stops = false) {
     this.machine = new Machine(one_of_each());
     this.machine.put(machine.values());
     this.machine.watch.breakpoints = machine.watch.breakpoints;
@@ -93,11 +98,11 @@ class Bench {
 
   /** Keep what the machine does from now on, so that it can be undone. */
   remember() {
-    this.history = new History(this.machine, MEMORY);
+    /** @type {History} */ this.history = new History(this.machine, MEMORY);
   }
 
   /** Let somebody do `work` at the machine, which is theirs then; return what it returns. */
-  touch(work) {
+  touch(/** @type {(machine: Machine) => any} */ work) {
     this.afternoon.takeOver();
     const done = work(this.machine);
     this.touched();
@@ -121,13 +126,13 @@ class Bench {
     this.until = goal;
   }
 
-  #pictured(samples, reason) {
+  #pictured(/** @type {Lamps[] | undefined} */ samples, /** @type {string} */ reason) {
     if (GOES_ON.includes(reason)) this.show(samples);
     else this.ended(reason);
   }
 
   /** A run has ended: say why and where. */
-  ended(reason) {
+  ended(/** @type {string} */ reason) {
     const { processor, watch } = this.machine;
     const { pc, ma } = processor;
     const asked = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
@@ -139,13 +144,13 @@ class Bench {
   }
 
   /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */
-  started(key) {
+  started(/** @type {string} */ key) {
     const { pc } = this.machine.processor;
     this.teletype.started();
     if (key === "start" && this.machine.watch.breakpoints.has(pc)) this.ended("breakpoint");
   }
 
-  show(samples) {
+  show(samples = /** @type {Lamps[] | undefined} */ (undefined)) {
     const { processor, waiting } = this.machine;
     if (this.room.open) {
       this.room.show(samples);
@@ -158,20 +163,20 @@ class Bench {
     for (const pane of this.panes) pane.write?.();
   }
 
-  say(words) {
+  say(/** @type {string} */ words) {
     this.why = words;
     this.show();
   }
 
   /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
-  tell(words, seen = false) {
+  tell(/** @type {unknown} */ words, seen = false) {
     this.writer.html(find("said"), html`${words}`);
     find("said").classList.toggle("spoken", !seen);
   }
 
   /** Show a pane alone, as large as the page, or all again. */
-  enlarge(button) {
-    const alone = button.parentElement.classList.toggle("alone");
+  enlarge(/** @type {HTMLElement} */ button) {
+    const alone = /** @type {HTMLElement} */ (button.parentElement).classList.toggle("alone");
     document.querySelector("main").classList.toggle("one", alone);
     button.ariaPressed = String(alone);
   }
@@ -180,14 +185,14 @@ class Bench {
     find("file").click();
   }
 
-  taken({ files }) {
-    [...files].forEach((file) => this.take(file));
+  taken(/** @type {HTMLInputElement} */ { files }) {
+    [...(files ?? [])].forEach((file) => this.take(file));
   }
 
   /** Take a file for what it is: a saved state or session, an exercise, a program's source, or a tape, which goes into
    *  the reader or to the mill. What is put into the `reader` is a tape.
    */
-  async take(file, reader = null) {
+  async take(/** @type {File} */ file, reader = null) {
     const { name } = file;
     this.say("");
     if (file.size > LARGEST) {
@@ -205,35 +210,35 @@ class Bench {
       else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : String(error.message ?? error);
       this.say(said.startsWith(name) ? said : `${name}: ${said}`);
     }
   }
 
-  #source(name, frames) {
+  #source(/** @type {string} */ name, /** @type {Bytes} */ frames) {
     this.tabs.open("program");
     this.editor.open(name, frames);
   }
 
-  #tape(name) {
+  #tape(/** @type {string} */ name) {
     if (this.shelf.get(name).code === EIA) this.mill.cut(name);
     else this.teletype.mount(name);
   }
 
   /** Take what a file in JSON is. */
-  #written(name, what, text) {
+  #written(/** @type {string} */ name, /** @type {any} */ what, /** @type {string} */ text) {
     if (what.task) this.exercises.take(name, what);
     else if (what.program || what.machine || what.part) this.#open(what);
     else this.#restore(text);
   }
 
   /** Let the machine be as a saved state has it, but standing still. */
-  #restore(text) {
+  #restore(/** @type {string} */ text) {
     this.#standing(restore(text));
   }
 
-  #standing(machine) {
+  #standing(/** @type {Machine} */ machine) {
     this.afternoon.takeOver();
     this.adopt(machine, true);
     this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
@@ -242,7 +247,7 @@ class Bench {
   }
 
   /** Let the machine be as a saved state has it, and run on for some instructions, which can be undone. Throws for too many. */
-  lead(text, until, says = "") {
+  lead(/** @type {string} */ text, /** @type {number} */ until, says = "") {
     if (!Number.isInteger(until) || until < 0 || until > FARTHEST) throw new Error(`until: ${until} instructions; 0 to ${grouped(FARTHEST)} are allowed`);
     this.#restore(text);
     const { machine } = this;
@@ -255,7 +260,7 @@ class Bench {
     this.download("pdp8.state", save(this.machine));
   }
 
-  download(name, content) {
+  download(/** @type {string} */ name, /** @type {BlobPart} */ content) {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(new Blob([content]));
     link.download = name;
@@ -265,13 +270,13 @@ class Bench {
 
   /** The bundled tapes, frame by frame as a saved state has them. */
   #bundled() {
-    const written = (frames) => Array.from(frames, (frame) => octal(frame, 3)).join(" ");
+    const written = (/** @type {Bytes} */ frames) => Array.from(frames, (frame) => octal(frame, 3)).join(" ");
     this.texts ??= new Map(Object.keys(this.record.tapes).map((name) => [name, written(this.shelf.get(name).frames)]));
     return this.texts;
   }
 
   /** A state whose bundled tapes go by their names, with these. */
-  whole(state) {
+  whole(/** @type {any} */ state) {
     return whole(state, this.#bundled());
   }
 
@@ -294,7 +299,7 @@ class Bench {
   }
 
   /** Give the link with that end; where the page is a file nobody else can open it, so a file is offered, if one could be. */
-  async give(end, file = false) {
+  async give(/** @type {string} */ end, file = false) {
     readdress(end);
     const { record: { url } } = this;
     const only = !url && location.protocol === "file:";
@@ -309,7 +314,7 @@ class Bench {
   }
 
   /** Open what a link or a file of a session holds. */
-  #open({ program, machine, exercise, until, part }) {
+  #open(/** @type {any} */ { program, machine, exercise, until, part }) {
     if (typeof exercise === "string") this.exercises.open(exercise);
     else if (exercise) this.exercises.take(exercise.name, exercise.tables);
     if (exercise) {
@@ -357,7 +362,7 @@ class Bench {
     try {
       const shared = await opened();
       if (shared) this.#open(shared);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       readdress("");
       this.say(`the link cannot be opened: ${error.message ?? error}`);
       return;
@@ -404,11 +409,11 @@ function idle() {
 }
 
 /** Put the page into its place, in the room or, if its address asks for something else, at the desk. */
-function furnish(record) {
+function furnish(/** @type {any} */ record) {
   const { hash, search } = location, { body, head } = document;
   const page = document.createElement("template");
   put(page, ours(record.html));
-  page.content.getElementById("room").hidden = !body.classList.contains("room") || !/^(#t=.*)?$/.test(hash) || /[?&]embed=(?!room)/.test(search);
+  /** @type {HTMLElement} */ (page.content.getElementById("room")).hidden = !body.classList.contains("room") || !/^(#t=.*)?$/.test(hash) || /[?&]embed=(?!room)/.test(search);
   body.classList.toggle("afternoon", hash.startsWith(`${DESK}&t=`)); // nothing moves when its bar comes
   head.append(Object.assign(document.createElement("style"), { textContent: record.style }));
   body.prepend(page.content);

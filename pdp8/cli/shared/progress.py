@@ -48,7 +48,7 @@ class Bar:
 
 
 class Busy:
-    """A moving bar for `wanted` work of unknown length."""
+    """A bar that only moves, for `wanted` work without steps."""
 
     def __init__(self, label: str, wanted: bool) -> None:
         self._label = label

@@ -12,25 +12,26 @@ import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signa
 import { dict } from "../translator/runtime.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { html } from "../html.mjs";
-import { DESK, readdress } from "../written.mjs";
-import { out } from "./next.mjs";
+import { DESK, find, readdress } from "../written.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
+const FINE = 4000; // steps of the slider: about half a pixel
 const STEP = 5 * SECOND; // of a play as fast as it goes
 const SAMPLES = 16; // of the lamps, for a picture
 const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
-const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
+/** @type {Record<string, string>} */ const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
 
 export class Afternoon {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    this.made = null; // the script
+    this.made = /** @type {Script | null} */ (null); // the script
     this.codes = new Map(); // of its tapes
-    this.given = []; // the record's machines that it has
+    this.given = /** @type {boolean[]} */ ([]); // the record's machines that it has
     this.on = this.playing = false;
     this.position = 0;
+    this.time = "";
     this.way = html``;
   }
 
@@ -48,8 +49,9 @@ export class Afternoon {
   /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
   watch() {
     this.go(0);
-    if (out("teletype")) this.go(this.script.day.acts[1].starts);
-    this.bench.time.kept = { unit: "character", speed: "60" };
+    if (find("teletype").classList.contains("out")) this.go(this.script.day.acts[1].starts);
+    find("units").querySelector("[value=character]").click();
+    this.bench.time.setSpeed(60);
     this.play(true);
   }
 
@@ -63,37 +65,39 @@ export class Afternoon {
     const { record: { afternoon: { acts, actions, millStarts, part, read } }, shelf } = this.bench;
     const made = [`${part}.asc`, `${part}.eia`].map((name) => [name, shelf.get(name).frames]);
     const loaded = Object.entries(read).map(([name, frames]) => [name, frames.encode("latin-1")]);
-    const done = [acts.map((act) => new Act(...act)), actions.map((action) => new Action(...action))];
-    return new Script(new Course(part, ...done, dict([...made, ...loaded]), millStarts));
+    const [all, done] = [acts.map((/** @type {ConstructorParameters<typeof Act>} */ act) => new Act(...act)), actions.map((/** @type {ConstructorParameters<typeof Action>} */ action) => new Action(...action))];
+    const script = new Script(new Course(part, all, done, dict(/** @type {[string, Bytes][]} */ ([...made, ...loaded])), millStarts));
+    find("slider").max = script.end;
+    return script;
   }
 
   /** Let the script have the last of the record's machines that come before a tick. */
-  #near(tick) {
+  #near(/** @type {number} */ tick) {
     const { record: { afternoon: { machines } }, shelf } = this.bench;
-    const at = machines.findLastIndex(([kept]) => kept <= tick);
+    const at = machines.findLastIndex((/** @type {[number]} */ [kept]) => kept <= tick);
     if (at < 0 || this.given[at]) return;
     this.given[at] = true;
     const [kept, values] = machines[at];
-    const piece = (name, from, to) => shelf.get(name).frames.slice(from, to);
-    const value = (written) => (typeof written === "string" ? written.encode("latin-1") : Array.isArray(written) ? piece(...written) : written);
+    const piece = (/** @type {string} */ name, /** @type {number} */ from, /** @type {number} */ to) => shelf.get(name).frames.slice(from, to);
+    const value = (/** @type {string | [string, number, number] | number} */ written) => (typeof written === "string" ? written.encode("latin-1") : Array.isArray(written) ? piece(...written) : written);
     this.script.keep(kept, dict(Object.entries(values).map(([name, written]) => [name, value(written)])));
   }
 
   /** The code of the tape in the reader. */
   get code() {
     const { mounted, day: { tapes } } = this.script;
-    if (mounted && !this.codes.has(mounted)) this.codes.set(mounted, codeOf(tapes.get(mounted)));
+    if (mounted && !this.codes.has(mounted)) this.codes.set(mounted, codeOf(/** @type {Bytes} */ (tapes.get(mounted))));
     return this.codes.get(mounted);
   }
 
   /** Go to an instant, in ticks, and show it. */
-  go(tick) {
+  go(/** @type {number} */ tick) {
     this.lead(tick);
     this.#arrived();
   }
 
   /** The script leads the machine, to an instant. */
-  lead(tick) {
+  lead(/** @type {number} */ tick) {
     if (!this.on) this.#lead();
     this.#near(tick);
     this.script.to(Math.floor(Math.min(tick, this.script.end)));
@@ -105,7 +109,7 @@ export class Afternoon {
     bench.history.close();
     bench.aim();
     bench.switches?.card.end();
-    bench.editor.stopCounting();
+    find("counts").checked = false;
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
@@ -122,7 +126,7 @@ export class Afternoon {
   }
 
   /** The script leads no more; the page has that machine. */
-  release(machine, stops = false) {
+  release(/** @type {Machine} */ machine, stops = false) {
     this.on = this.playing = false;
     this.bench.adopt(machine, stops);
     this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(this.script.now)}</button>`;
@@ -136,7 +140,7 @@ export class Afternoon {
   }
 
   /** Go on (1) or back (-1) by a unit. */
-  step(unit, direction) {
+  step(/** @type {string} */ unit, /** @type {number} */ direction) {
     this.play(false);
     if (direction > 0) this.script.next(unit);
     else this.script.previous(unit);
@@ -160,7 +164,7 @@ export class Afternoon {
     }, 150);
   }
 
-  play(on) {
+  play(/** @type {boolean} */ on) {
     if (on === this.playing) return;
     if (on && this.script.now >= this.script.end) this.go(0);
     this.playing = on;
@@ -171,7 +175,7 @@ export class Afternoon {
   /** Let time pass at a speed, until `late` at most; return samples of the lamps, at instants spread over it at random: so
    *  none falls on the same cycle of a loop every time.
    */
-  pass(milliseconds, speed, late) {
+  pass(/** @type {number} */ milliseconds, /** @type {number} */ speed, /** @type {number} */ late) {
     const { script } = this;
     if (speed === Infinity) {
       while (performance.now() < late && this.position < script.end) script.to((this.position += STEP));
@@ -188,7 +192,7 @@ export class Afternoon {
   }
 
   /** The slider is dragged: a play waits until it is let go. */
-  drag({ value }) {
+  drag(/** @type {HTMLInputElement} */ { value }) {
     this.dragged ??= this.playing;
     this.play(false);
     this.go(Number(value));
@@ -196,7 +200,7 @@ export class Afternoon {
 
   drop() {
     if (this.dragged) this.play(true);
-    this.dragged = undefined;
+    this.dragged = /** @type {boolean | undefined} */ (undefined);
   }
 
   /** The key that is being pressed. */
@@ -210,41 +214,47 @@ export class Afternoon {
   get terminal() {
     if (!this.on || this.script.act.kind !== Kind.TERMINAL) return null;
     const { day, now } = this.script;
-    return { name: `${day.part}.asc`, frames: day.tapes.get(`${day.part}.asc`).slice(0, Math.floor(now / FRAME)) };
+    return { name: `${day.part}.asc`, frames: /** @type {Bytes} */ (day.tapes.get(`${day.part}.asc`)).slice(0, Math.floor(now / FRAME)) };
   }
 
   show() {
     if (!this.on) return;
     const { bench, script, script: { act, day, mounted, now } } = this;
-    bench.time.at(now, script.end, clock(now), act.name);
+    const time = clock(now);
+    bench.writer.text(find("clock"), time);
     bench.teletype.named(mounted, this.code);
+    if (Math.abs(find("slider").value - now) > script.end / FINE) find("slider").value = now;
+    if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
+    this.time = time;
     if (this.shown !== act || this.program === null) this.#open(act);
     if (!act.program) bench.mill.follow(now - day.mill_starts);
   }
 
   write() {
     if (!this.on) return;
+    const { writer } = this.bench;
     const { act, action, machine, now } = this.script;
     const fresh = action && action.at >= act.starts && now - action.at < SAID;
     const doing = fresh ? action.say : waits(machine.processor);
     const caption = html`<span><b>${act.name}.</b> ${act.say} <em>${doing}</em></span>`;
-    this.bench.time.says(act.name, html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
+    writer.text(find("why"), act.name);
+    writer.html(find("next"), html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
   }
 
   /** An act begins: what belongs to it lies open on the desk. */
-  #open(act) {
+  #open(/** @type {Act} */ act) {
     const { bench, script: { day } } = this;
     this.shown = act;
     this.program = act.program;
     if (act.program) bench.editor.lay(act.program);
     const tape = `${day.part}.eia`;
-    bench.mill.lay(tape, day.tapes.get(tape), day.path, "", bench.record.afternoon.band);
+    bench.mill.lay(tape, /** @type {Bytes} */ (day.tapes.get(tape)), day.path, "", bench.record.afternoon.band);
     bench.tabs.open(TABS[act.kind] ?? "program");
   }
 }
 
 /** What a running processor is waiting for, in words. */
-function waits(processor) {
+function waits(/** @type {Processor} */ processor) {
   if (!processor.run) return "";
   const { core } = processor;
   const at = instruction_at(processor);

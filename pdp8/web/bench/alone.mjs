@@ -8,10 +8,10 @@ const seconds = Number(new URLSearchParams(globalThis.location?.search).get("res
 export const RESTS = seconds > 0 ? Math.max(LEAST, seconds) : 0;
 
 /** Show the panes that the address asks for, with the time bar; all, where it asks for none that is there. */
-export function embed(tabs) {
+export function embed(/** @type {import("./tabs.mjs").Tabs} */ tabs) {
   const asked = (new URLSearchParams(location.search).get("embed") ?? "").split(",");
   const sections = [...document.querySelectorAll("[data-pane]")];
-  const shown = sections.filter((section) => asked.includes(section.dataset.pane));
+  const shown = sections.filter((section) => asked.includes(String(section.dataset.pane)));
   if (!shown.length) return;
   document.body.classList.add("embed");
   for (const section of sections) section.classList.toggle("out", !shown.includes(section));
@@ -20,7 +20,7 @@ export function embed(tabs) {
 
 export function rest() {
   const { href } = location; // without the instant that the afternoon will write there
-  let timer;
+  let timer = 0;
   const touched = () => {
     clearTimeout(timer);
     timer = setTimeout(() => {

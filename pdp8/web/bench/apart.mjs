@@ -5,11 +5,11 @@
 import { scriptAt } from "../html.mjs";
 
 /** What the page's scripts do in a Worker: `work` by its name. */
-export function serve(work) {
+export function serve(/** @type {Record<string, (...given: any[]) => any>} */ work) {
   globalThis.onmessage = ({ data: [number, what, given] }) => {
     try {
       globalThis.postMessage([number, work[what](...given)]);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       globalThis.postMessage([number, null, String(error.message ?? error)]);
     }
   };
@@ -19,34 +19,36 @@ export class Apart {
   constructor() {
     this.asked = new Map();
     this.number = 0;
+    /** @type {Worker | null} */ this.worker = null;
   }
 
   #begin() {
     const scripts = [...document.querySelectorAll("script.code")].map(({ textContent }) => textContent);
     const url = URL.createObjectURL(new Blob(scripts, { type: "text/javascript" }));
-    this.worker = new Worker(scriptAt(url));
-    this.worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
-    this.worker.onmessage = ({ data: [number, made, why] }) => {
+    const worker = this.worker = new Worker(scriptAt(url));
+    worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
+    worker.onmessage = ({ data: [number, made, why] }) => {
       const { resolve, reject } = this.asked.get(number) ?? {};
       this.asked.delete(number);
       if (why === undefined) resolve?.(made);
       else reject?.(new Error(why));
     };
+    return worker;
   }
 
   /** What the Worker makes of the arguments `given`. Throws what it throws, or that it takes more than some seconds. */
-  ask(what, given, seconds) {
-    if (!this.worker) this.#begin();
+  ask(/** @type {string} */ what, /** @type {unknown[]} */ given, /** @type {number} */ seconds) {
+    const worker = this.worker ?? this.#begin();
     const number = this.number++;
     const made = new Promise((resolve, reject) => this.asked.set(number, { resolve, reject }));
-    this.worker.postMessage([number, what, given]);
+    worker.postMessage([number, what, given]);
     const late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), seconds * 1000);
     return made.finally(() => clearTimeout(late));
   }
 
   /** End the Worker, and all that is asked of it; the next question begins another. */
-  #end(why) {
-    this.worker.terminate();
+  #end(/** @type {string} */ why) {
+    this.worker?.terminate();
     this.worker = null;
     for (const { reject } of this.asked.values()) reject(new Error(why));
     this.asked.clear();

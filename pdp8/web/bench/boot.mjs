@@ -5,7 +5,7 @@ import { Operator } from "../../computer/use/operator.mjs";
 import { bytes } from "../translator/runtime.mjs";
 
 /** The machine after it, and what was read. Throws where a loader ends as it should not. */
-export function booted(state, loader, tape, name) {
+export function booted(/** @type {string} */ state, /** @type {string} */ loader, /** @type {Iterable<number>} */ tape, /** @type {string} */ name) {
   const machine = restore(state);
   machine.teletype.reader.lever(true);
   const steps = [...new Operator(machine).boot(loader.encode("latin-1"), bytes(tape), name)];

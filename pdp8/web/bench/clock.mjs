@@ -19,7 +19,7 @@ const FORGETS = 0.15; // what a measured speed loses of the pictures before, a p
 
 export class Clock {
   /** `show(samples, stop)` is called after every picture, with samples of the lamps and the reason why the run ended, "limit" if it goes on. */
-  constructor(bench, show) {
+  constructor(/** @type {Bench} */ bench, /** @type {(samples: Lamps[] | undefined, reason: string) => void} */ show) {
     this.bench = bench;
     this.show = show;
     this.glimpse = new Glimpse();
@@ -56,7 +56,7 @@ export class Clock {
     this.hiddenAt = this.pictures.running ? performance.now() : 0;
     if (!this.hiddenAt) return;
     this.pictures.stop();
-    this.title = document.title;
+    /** @type {string} */ this.title = document.title;
     document.title = `Stopped: ${this.title}`;
   }
 
@@ -71,7 +71,7 @@ export class Clock {
   }
 
   /** Show what happens in some milliseconds; return whether it goes on. */
-  #picture(passed, now) {
+  #picture(/** @type {number} */ passed, /** @type {number} */ now) {
     const { afternoon, machine } = this.bench;
     if (afternoon.on && !afternoon.playing) return false;
     const before = afternoon.on ? afternoon.position : machine.processor.clock;
@@ -82,16 +82,16 @@ export class Clock {
     return more && !document.hidden;
   }
 
-  #led(passed, now) {
+  #led(/** @type {number} */ passed, /** @type {number} */ now) {
     const { afternoon } = this.bench;
     this.show(afternoon.pass(passed, this.speed, now + BUDGET), "limit");
     return afternoon.on ? afternoon.playing : this.#moves();
   }
 
-  #live(passed, now) {
+  #live(/** @type {number} */ passed, /** @type {number} */ now) {
     const { machine } = this.bench;
     const ticks = (passed / 1000) * SECOND * this.speed;
-    const samples = [];
+    const samples = /** @type {Lamps[]} */ ([]);
     let reason = "limit";
     if (!machine.processor.run) {
       if (this.#busy()) machine.wait(Math.min(ticks, SECOND) / SECOND);
@@ -114,7 +114,7 @@ export class Clock {
   }
 
   /** Go on cycle by cycle for `ticks`; return why it ended. */
-  #crawl(ticks, now) {
+  #crawl(/** @type {number} */ ticks, /** @type {number} */ now) {
     const { machine, machine: { processor }, until } = this.bench;
     this.due += ticks;
     while (this.due >= CYCLE && performance.now() - now < BUDGET) {
@@ -127,7 +127,7 @@ export class Clock {
   }
 
   /** Run for `ticks`, or at full speed as long as there is time; return why it ended. */
-  #run(ticks, now, samples) {
+  #run(/** @type {number} */ ticks, /** @type {number} */ now, /** @type {Lamps[]} */ samples) {
     const { machine, until } = this.bench;
     const { processor } = machine;
     const end = processor.clock + ticks;
@@ -147,10 +147,10 @@ class Glimpse {
   constructor() {
     this.processor = new Processor(new Bus());
     this.processor.deposit = () => {};
-    this.panel = new Panel(this.processor);
+    this.panel = new Panel(this.processor, () => {});
   }
 
-  of(machine) {
+  of(/** @type {Machine} */ machine) {
     const { processor } = this;
     const { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core } = machine.processor;
     Object.assign(processor, { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core, _core: core, ion_delayed: 0 });

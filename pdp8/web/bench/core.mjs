@@ -1,6 +1,5 @@
 // Core as a table, a page of 128 words at a time: a word that has changed is marked, and each can be written over.
 
-import { until } from "../../computer/use/goals.mjs";
 import { html, put } from "../html.mjs";
 import { find, octal } from "../written.mjs";
 
@@ -9,7 +8,7 @@ const WIDE = 8; // words a row
 const CELL = html`<td><input type="text" maxlength="4" inputmode="numeric" data-change="core.set"></td>`;
 
 export class Core {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     const pages = Array.from({ length: 0o40 }, (_, page) => new Option(octal(page * PAGE), String(page), page === 1, page === 1));
     find("page").replaceChildren(...pages);
@@ -21,21 +20,14 @@ export class Core {
 
   /** Turn to the page that is chosen. */
   turn() {
-    this.first = Number(find("page").value) * PAGE;
-    this.seen = []; // the words as they are shown
+    /** @type {number} */ this.first = Number(find("page").value) * PAGE;
+    /** @type {number[]} */ this.seen = []; // the words as they are shown
     this.heads.forEach((head, row) => (head.textContent = octal(this.first + row * WIDE)));
     this.cells.forEach((cell, index) => (cell.ariaLabel = `core ${octal(this.first + index)}`));
     this.write();
   }
 
-  /** Run until what the form asks for. */
-  runUntil() {
-    const { bench } = this;
-    bench.afternoon.takeOver();
-    bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
-  }
-
-  set(cell) {
+  set(/** @type {HTMLInputElement} */ cell) {
     this.seen = [];
     this.bench.touch(({ processor }) => {
       if (/^[0-7]{1,4}$/.test(cell.value)) processor.deposit(this.first + this.cells.indexOf(cell), parseInt(cell.value, 8));
@@ -48,7 +40,7 @@ export class Core {
     this.cells.forEach((cell, index) => this.#word(cell, index, core[this.first + index]));
   }
 
-  #word(cell, index, word) {
+  #word(/** @type {HTMLInputElement} */ cell, /** @type {number} */ index, /** @type {number} */ word) {
     const before = this.seen[index];
     cell.classList.toggle("changed", before !== undefined && before !== word);
     if (before === word) return;

@@ -8,12 +8,12 @@ export class Counts {
   }
 
   /** A memory cycle has ended. */
-  cycle({ state, ma }) {
+  cycle(/** @type {Processor} */ { state, ma }) {
     if (state === FETCH) this.executed[ma]++;
   }
 
   /** A loop of two that waits for a flag was passed over: whole turns of it. */
-  waited({ pc }, instructions) {
+  waited(/** @type {Processor} */ { pc }, /** @type {number} */ instructions) {
     for (const step of [0, 1]) this.executed[(pc + step) & 0o7777] += instructions / 2;
   }
 }

@@ -25,23 +25,23 @@ import { rove } from "./wiring.mjs";
 const PANES = { switches: Switches, teletype: Teletype, registers: Registers, core: Core, mill: Mill, editor: Editor, exercises: Exercises, parts: Parts, time: Time };
 
 /** Lay the desk, piece by piece. */
-export function* lay(bench) {
+export function* lay(/** @type {Bench} */ bench) {
   bench.apart = new Apart();
   bench.programs = new Store("program", (name) => bench.editor.elsewhere(name));
   bench.tabs = new Tabs(bench);
   bench.shelf.offer();
   for (const [name, Pane] of Object.entries(PANES)) {
     yield;
-    bench[name] = new Pane(bench);
+    /** @type {any} */ (bench)[name] = new Pane(bench);
   }
   yield;
   put(find("figures").querySelector("table"), ours(bench.record.figures));
   put(find("graph"), ours(bench.record.graph));
   embed(bench.tabs);
-  for (const row of document.querySelectorAll("[role=toolbar], [role=tablist]")) rove(row);
+  for (const row of document.querySelectorAll("[role=toolbar], [role=tablist]")) rove(/** @type {HTMLElement} */ (row));
   const { exercises, shelf, switches: { card }, tabs, teletype, time } = bench;
   bench.session = new Session(bench, { shelf, machine: bench, teletype, card, exercises, tabs, time });
-  bench.panes = [bench.afternoon, ...Object.keys(PANES).map((name) => bench[name]), bench.room];
+  bench.panes = [bench.afternoon, ...Object.keys(PANES).map((name) => /** @type {any} */ (bench)[name]), bench.room];
 }
 
 if (!globalThis.document) serve({ booted, checked, located, loosened, marks, printout, translated });

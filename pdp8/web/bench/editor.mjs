@@ -9,7 +9,7 @@ import { characters } from "../../../pal/source.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
-import { dict } from "../translator/runtime.mjs";
+import { bytes, dict } from "../translator/runtime.mjs";
 import { assembled, checked, here } from "../findings.mjs";
 import { html, put } from "../html.mjs";
 import { find, grouped, octal } from "../written.mjs";
@@ -29,18 +29,18 @@ const NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n";
 const OPEN = "pdp8 open"; // the setting that names the program that was open
 
 export class Editor {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.area = find("source");
     this.behind = this.area.previousElementSibling;
     this.counts = new Counts();
     this.name = "";
     this.before = ""; // the text as it was kept or opened
-    this.now = null; // the line that the processor is in
-    this.#found({ words: [], places: [], diagnostics: [], more: 0, summary: "" });
+    this.now = /** @type {number | null} */ (null); // the line that the processor is in
+    this.#found({ ok: false, tape: bytes(), words: [], places: [], diagnostics: [], more: 0, summary: "" });
     this.area.addEventListener("scroll", () => this.#draw());
-    this.area.addEventListener("keydown", (event) => this.#key(event));
-    this.area.addEventListener("paste", (event) => this.#paste(event));
+    this.area.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
+    this.area.addEventListener("paste", (/** @type {ClipboardEvent} */ event) => this.#paste(event));
     this.area.addEventListener("pointerdown", () => this.#write(true));
     this.area.addEventListener("blur", () => this.#write(false));
     new ResizeObserver(() => this.#draw()).observe(this.area);
@@ -49,7 +49,7 @@ export class Editor {
   }
 
   /** Put in a long text at once: a browser that does it by itself takes a second for each hundred lines. */
-  #paste(event) {
+  #paste(/** @type {any} */ event) {
     const { area, area: { selectionStart: from, selectionEnd: until, value }, bench } = this;
     const text = event.clipboardData.getData("text/plain").replaceAll("\r\n", "\n");
     if (text.length < SHORT) return;
@@ -58,7 +58,7 @@ export class Editor {
       bounded(value.slice(0, from) + text + value.slice(until));
       area.setRangeText(text, from, until, "end");
       this.changed();
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       bench.say(error.message);
     }
   }
@@ -75,18 +75,18 @@ export class Editor {
   }
 
   /** Open the program that was open, or the first one. */
-  begin(name = kept(OPEN)) {
+  begin(name = kept(OPEN) ?? "") {
     const { programs } = this.bench;
     this.#turn(programs.get(name) === undefined ? programs.names()[0] ?? programs.take("program.pal", NEW) : name);
   }
 
   /** Open the source that a tape or a file holds, as a program of its own. */
-  open(name, frames) {
+  open(/** @type {string} */ name, /** @type {Bytes} */ frames) {
     this.put(name, characters(frames).replaceAll("\r", "\n"));
   }
 
   /** Open a source as a program of its own: nothing that is kept is written over. */
-  put(name, text) {
+  put(/** @type {string} */ name, /** @type {string} */ text) {
     bounded(text);
     this.#turn(this.bench.programs.take(name, text));
   }
@@ -95,7 +95,7 @@ export class Editor {
     this.put("program.pal", NEW);
   }
 
-  #turn(name) {
+  #turn(/** @type {string} */ name) {
     this.keep();
     this.area.readOnly = false;
     this.#named(name);
@@ -109,16 +109,16 @@ export class Editor {
     if (refused) this.#say(`This browser keeps no programs for this page (${refused}): save them as files.`);
   }
 
-  #named(name) {
+  #named(/** @type {string} */ name) {
     this.name = name;
     keep(OPEN, name);
-    const options = (names) => names.map((each) => html`<option>${each}</option>`);
+    const options = (/** @type {string[]} */ names) => names.map((each) => html`<option>${each}</option>`);
     const bundled = this.bench.shelf.names().filter((each) => each.endsWith(".pal"));
     put(find("sources"), html`<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
       <optgroup label="Bundled">${options(bundled)}</optgroup>`);
   }
 
-  #show(text) {
+  #show(/** @type {string} */ text) {
     this.area.value = text;
     this.area.setSelectionRange(0, 0);
     this.area.scrollTop = this.area.scrollLeft = 0;
@@ -128,7 +128,7 @@ export class Editor {
   }
 
   /** Show the source of what is in core, to be read. */
-  lay(name) {
+  lay(/** @type {string} */ name) {
     this.keep();
     this.area.readOnly = true;
     this.#show(new TextDecoder().decode(this.bench.shelf.get(name).frames));
@@ -157,7 +157,7 @@ export class Editor {
   }
 
   /** Another tab has written a program: if it is the one that is open, say so. */
-  elsewhere(name) {
+  elsewhere(/** @type {string} */ name) {
     const there = this.bench.programs.get(name);
     this.#named(this.name);
     if (name !== this.name || this.area.readOnly || there === this.text) return;
@@ -165,14 +165,14 @@ export class Editor {
     this.#say(html`${name} was ${done} in another tab. What is written here is kept beside it. ${shown}`);
   }
 
-  choose(list) {
-    const { value, selectedOptions: [{ parentElement: { label } }] } = list;
+  choose(/** @type {HTMLSelectElement} */ list) {
+    const { value, selectedOptions: [{ parentElement: { label } }] } = /** @type {any} */ (list);
     if (label === "Yours") this.#turn(value);
     else if (value) this.open(value, this.bench.shelf.get(value).frames);
     list.value = "";
   }
 
-  rename(field) {
+  rename(/** @type {HTMLInputElement} */ field) {
     const { programs } = this.bench;
     const name = field.value.trim();
     if (name && name !== this.name && !this.area.readOnly) {
@@ -196,18 +196,18 @@ export class Editor {
   }
 
   undo() {
-    this.put(...this.deleted);
+    this.put(.../** @type {[string, string]} */ (this.deleted));
   }
 
-  save(list) {
+  save(/** @type {HTMLSelectElement} */ list) {
     const kind = list.value;
     list.value = "";
     if (!kind || (kind !== "pal" && !this.assemble())) return;
     const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.name, this.text).listing };
-    this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, made[kind]());
+    this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
   }
 
-  #say(content) {
+  #say(/** @type {unknown} */ content) {
     put(find("program-says"), content);
   }
 
@@ -226,19 +226,19 @@ export class Editor {
     try {
       const found = await bench.apart.ask("checked", [name, text], SECONDS);
       if (text === this.text) this.#found(found);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       if (!bench.apart.worker) this.#found(checked(name, text));
       else this.#say(error.message);
     }
   }
 
-  #found(found) {
+  #found(/** @type {Found} */ found) {
     const { places, diagnostics, more, summary } = found;
-    this.assembly = { ...found, name: this.name, text: this.text };
-    this.places = new Map();
-    this.lineAt = new Map(places.map(([line, address]) => [address, line]).reverse());
+    /** @type {Found & { name: string; text: string }} */ this.assembly = { ...found, name: this.name, text: this.text };
+    /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();
+    /** @type {Map<number, number>} */ this.lineAt = new Map(places.map(([line, address]) => /** @type {[number, number]} */ ([address, line])).reverse());
     for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
-    this.wrong = new Map(diagnostics.map((each) => [each.line, each]).reverse());
+    /** @type {Map<number, Note>} */ this.wrong = new Map(diagnostics.map((each) => /** @type {[number, Note]} */ ([each.line, each])).reverse());
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
       const [first, ...rest] = whole.split("\n");
       return html`<li class="${severity}"><button class="text" data-click="editor.goTo" data-line="${line}" data-start="${start}" data-end="${end}">${first}</button><pre>${rest.join("\n")}</pre></li>`;
@@ -250,7 +250,7 @@ export class Editor {
   }
 
   /** Somebody writes in the editor, or no more: what Tab does depends on it. */
-  #write(on) {
+  #write(/** @type {boolean} */ on) {
     this.writing = on;
     find("editor-keys").classList.toggle("writing", on);
   }
@@ -261,8 +261,8 @@ export class Editor {
     this.#write(true);
   }
 
-  goTo({ dataset: { line, start, end } }) {
-    const begins = this.lines.slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0);
+  goTo(/** @type {HTMLElement} */ { dataset: { line, start, end } }) {
+    const begins = this.lines.slice(0, Number(line) - 1).join("\n").length + (Number(line) > 1 ? 1 : 0);
     this.enter();
     this.area.setSelectionRange(begins + Number(start), begins + Number(end));
     this.#bringIntoView(Number(line));
@@ -275,7 +275,7 @@ export class Editor {
     const first = Math.floor(scrollTop / TALL);
     const seen = this.lines.slice(first, first + Math.ceil(clientHeight / TALL) + 1);
     const down = first * TALL - scrollTop;
-    put(this.behind, seen.flatMap((line, index) => [index ? "\n" : "", coloured(line, this.wrong.get(first + index + 1))]));
+    put(this.behind, seen.flatMap((/** @type {string} */ line, /** @type {number} */ index) => [index ? "\n" : "", coloured(line, this.wrong.get(first + index + 1))]));
     this.behind.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
     const { right } = this.area.getBoundingClientRect();
     for (const said of this.behind.querySelectorAll("em")) { // what has no space behind its line is said below it
@@ -283,11 +283,11 @@ export class Editor {
       said.className = "below";
       Object.assign(said.style, { left: `${scrollLeft + 8}px`, maxWidth: `${clientWidth - 16}px` });
     }
-    put(find("gutter"), html`<div style="transform: translateY(${down}px)">${seen.map((_, index) => this.#beside(first + index + 1))}</div>`);
+    put(find("gutter"), html`<div style="transform: translateY(${down}px)">${seen.map((/** @type {string} */ _, /** @type {number} */ index) => this.#beside(first + index + 1))}</div>`);
   }
 
   /** What stands beside a line. */
-  #beside(line) {
+  #beside(/** @type {number} */ line) {
     const place = this.places.get(line);
     const classes = `line${line === this.now ? " now" : ""} ${this.wrong.get(line)?.severity ?? ""}`;
     const current = line === this.now ? html` aria-current="true"` : "";
@@ -296,26 +296,22 @@ export class Editor {
     const set = this.bench.machine.watch.breakpoints.has(address);
     const count = find("counts").checked ? html`<i>${grouped(this.counts.executed[address])}</i>` : "";
     const button = html`<button tabindex="-1" data-click="editor.mark" value="${address}" aria-pressed="${set}" aria-label="breakpoint at ${octal(address)}">${octal(address)}</button>`;
-    return html`<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(word)}</b>${count}</div>`;
+    return html`<div class="${classes}" role="listitem"${current}><span>${line}</span>${button}<b>${octal(Number(word))}</b>${count}</div>`;
   }
 
-  mark({ value }) {
+  mark(/** @type {HTMLInputElement} */ { value }) {
     this.#breakpoint(Number(value));
   }
 
-  #breakpoint(address) {
+  #breakpoint(/** @type {number} */ address) {
     this.bench.afternoon.takeOver();
     const { breakpoints } = this.bench.machine.watch;
-    if (!breakpoints.discard(address)) breakpoints.add(address);
+    if (!breakpoints.delete(address)) breakpoints.add(address);
     this.#draw();
   }
 
-  stopCounting() {
-    find("counts").checked = false;
-  }
-
   /** Count from now on how often each word is executed, or no more. */
-  count({ checked: on }) {
+  count(/** @type {HTMLInputElement} */ { checked: on }) {
     if (on) this.bench.afternoon.takeOver();
     this.counts = new Counts();
     this.bench.machine.watch.observer = on ? this.counts : null;
@@ -323,7 +319,7 @@ export class Editor {
   }
 
   /** Tab is a tabulator to who has begun to write: by Enter, a click or a character. Escape ends that, and Tab leaves. */
-  #key(event) {
+  #key(/** @type {any} */ event) {
     const { key } = event;
     const writes = this.writing && !this.area.readOnly;
     if (key === "Escape") this.#write(false);
@@ -363,7 +359,7 @@ export class Editor {
     const { words } = this.#stopped();
     try {
       this.bench.machine.load(words);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       this.bench.say(String(error));
       return false;
     }
@@ -392,7 +388,7 @@ export class Editor {
       machine.put(restore(state).values());
       bench.why = said;
       this.#ready();
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       bench.say(here(error.message));
     }
   }
@@ -428,18 +424,18 @@ export class Editor {
     this.#draw();
   }
 
-  #bringIntoView(line) {
+  #bringIntoView(/** @type {number} */ line) {
     const top = (line - 1) * TALL - this.area.scrollTop;
     if (top < TALL || top > this.area.clientHeight - 3 * TALL) this.area.scrollTop = (line - 1) * TALL - this.area.clientHeight / 2;
   }
 }
 
-function bounded(text) {
+function bounded(/** @type {string} */ text) {
   if (text.length > LONGEST) throw new Error(`a source of ${grouped(text.length)} characters; ${grouped(LONGEST)} are allowed`);
 }
 
 /** A line in colour, and what is wrong with it. */
-function coloured(whole, wrong) {
+function coloured(/** @type {string} */ whole, /** @type {Note | undefined} */ wrong) {
   const line = whole.slice(0, WIDEST);
   const pieces = [];
   let at = 0;

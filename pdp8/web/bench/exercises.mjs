@@ -2,7 +2,7 @@
 
 import { task as written } from "../../lessons/page.mjs";
 import { html, ours, put } from "../html.mjs";
-import { find } from "../written.mjs";
+import { find, LATER } from "../written.mjs";
 import { exercise as checked } from "./marker.mjs";
 import { linked } from "./sharing.mjs";
 import { Store } from "./store.mjs";
@@ -11,8 +11,9 @@ const SECONDS = 10; // of an answer, as `pdp8 check` gives it
 const BEGUN = "/ NAME\n*200\n\tHLT\n$\n"; // what an answer begins with
 
 export class Exercises {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
+    /** @type {string} */ this.name = LATER;
     this.all = new Map(Object.entries(bench.record.exercises));
     this.given = new Store("exercise"); // by a teacher
     this.answers = new Store("answers"); // to a sheet, {question: answer}
@@ -30,10 +31,10 @@ export class Exercises {
   }
 
   /** Take an exercise from a file or a link, and open it. Throws where it is none. */
-  take(name, tables) {
+  take(/** @type {string} */ name, /** @type {any} */ tables) {
     try {
       checked(tables);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       throw new Error(`${name}: no exercise: ${error.message}`, { cause: error });
     }
     this.all.set(name, tables);
@@ -43,7 +44,7 @@ export class Exercises {
   }
 
   /** Have a teacher's exercise at hand again, if it is one. */
-  #give(name, tables) {
+  #give(/** @type {string} */ name, /** @type {any} */ tables) {
     try {
       checked(tables);
       this.all.set(name, tables);
@@ -51,14 +52,14 @@ export class Exercises {
   }
 
   /** Open an exercise, and the program that answers it, if that was begun. Throws where there is none of that name. */
-  open(name) {
+  open(/** @type {string} */ name) {
     if (!this.all.has(name)) throw new Error(`there is no exercise ${name}; those there are stand under Exercises`);
     this.#show(name);
     const { editor, programs } = this.bench;
     if (!this.sheet && programs.get(this.#answer) !== undefined && editor.name !== this.#answer) editor.begin(this.#answer);
   }
 
-  #show(name) {
+  #show(/** @type {string} */ name) {
     this.name = name;
     const { asked, questions, title } = checked(this.all.get(name));
     this.sheet = questions.length > 0;
@@ -71,7 +72,7 @@ export class Exercises {
     this.#list();
   }
 
-  choose({ value }) {
+  choose(/** @type {HTMLInputElement} */ { value }) {
     this.open(value);
     this.bench.tabs.open("exercises");
   }
@@ -82,19 +83,19 @@ export class Exercises {
   }
 
   /** Keep what is written on the sheet. */
-  answer({ name, value }) {
+  answer(/** @type {HTMLInputElement} */ { name, value }) {
     this.answers.keep(this.name, JSON.stringify({ ...this.answers.read(this.name), [name]: value }));
   }
 
   /** How an exercise was marked, in a few characters. */
-  #mark(name) {
+  #mark(/** @type {string} */ name) {
     const [points, of, right] = [this.marks.read(name) ?? []].flat();
     return right ? "✓ " : of ? `${points}/${of} ` : "";
   }
 
   /** The list: by level, and a teacher's own behind them; each with its mark. */
   #list() {
-    const option = ([name, { title }]) => html`<option value="${name}">${this.#mark(name)}${title}</option>`;
+    const option = (/** @type {[string, any]} */ [name, { title }]) => html`<option value="${name}">${this.#mark(name)}${title}</option>`;
     const levels = Map.groupBy(this.all, ([, { level }]) => level ?? "A teacher's own");
     put(find("exercise"), [...levels].map(([level, some]) => html`<optgroup label="${level}">${some.map(option)}</optgroup>`));
     find("exercise").value = this.name;
@@ -129,13 +130,13 @@ export class Exercises {
       if (name !== this.name) return;
       put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
       if (!sheet) this.#offer(wrong);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       put(find("marks"), html`<p>${error.message}</p>`);
     }
   }
 
   /** Put a button beside each case that failed: where it went wrong. */
-  #offer(wrong) {
+  #offer(/** @type {string[]} */ wrong) {
     const heads = find("marks").querySelectorAll("h2");
     wrong.forEach((called, index) => {
       if (!called || !heads[index]) return;
@@ -144,14 +145,14 @@ export class Exercises {
   }
 
   /** Let the machine run from START to the place where the program goes wrong in a case; from there one can go back. */
-  async where({ value }) {
+  async where(/** @type {HTMLInputElement} */ { value }) {
     const { apart, editor } = this.bench;
     try {
       const { says, state, until } = await apart.ask("located", [this.all.get(this.name), editor.name, editor.text, value], SECONDS);
       this.bench.lead(state, until, `${value}: ${says}`);
       editor.area.blur();
       editor.write();
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       this.bench.say(String(error.message ?? error));
     }
   }

@@ -13,7 +13,7 @@ import { Plate } from "../room/plate.mjs";
 import { EIA } from "../../../tapes/codes.mjs";
 import { drawTape, tapeKey } from "../tape.mjs";
 import { bytes } from "../translator/runtime.mjs";
-import { find, grouped, inches, minutes, octal } from "../written.mjs";
+import { find, grouped, inches, LATER, minutes, octal } from "../written.mjs";
 
 const TOLERANCES = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 430, 500]; // thousandths
 const FINE = 900; // pixels of the plate
@@ -21,10 +21,15 @@ const TAKES = 20; // seconds in which a whole tape is cut on the page
 const MARGIN = 40; // pixels that stay in view above the current line, and its own height and as much below
 
 export class Mill {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.drawing = null;
-    this.line = null; // the block that is carried out, in the list
+    this.part = 0;
+    /** @type {Path} */ this.path = LATER;
+    /** @type {Step[]} */ this.steps = [];
+    /** @type {HTMLElement[]} */ this.rows = [];
+    /** @type {Omit<TapeView, "head"> & { first: number }} */ this.tape = LATER;
+    /** @type {HTMLElement | null} */ this.line = null; // the block that is carried out, in the list
     this.pictures = new Pictures((passed) => this.#picture(passed));
     this.plate = new Sheet(find("plate"), () => this.show());
     this.whole = new Drawing(find("whole"), () => this.show());
@@ -32,12 +37,12 @@ export class Mill {
     this.reader = new Sheet(find("mill-reader").querySelector("canvas"), () => this.show());
   }
 
-  choose({ value }) {
+  choose(/** @type {HTMLInputElement} */ { value }) {
     if (value) this.cut(value);
   }
 
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
-  cut(name) {
+  cut(/** @type {string} */ name) {
     this.name = name;
     const frames = this.bench.shelf.get(name).frames;
     const { path, refusal } = carriedOut(frames);
@@ -47,27 +52,27 @@ export class Mill {
   }
 
   /** Cut the circle within another tolerance: its tape is made by the whole chain, on another machine. */
-  async loosen({ value }) {
-    const tolerance = TOLERANCES[value];
+  async loosen(/** @type {HTMLInputElement} */ { value }) {
+    const tolerance = TOLERANCES[Number(value)];
     const asked = (this.asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")]);
     const frames = bytes(await this.bench.apart.ask("loosened", asked, TAKES));
     if (this.asked !== asked) return;
     const { path, refusal } = carriedOut(frames);
     this.lay(`circle within ${inches(tolerance)} in`, frames, path, refusal);
-    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(path.cuts.length)} cuts, ${minutes(path.times.total)} minutes`;
+    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(this.path.cuts.length)} cuts, ${minutes(this.path.times.total)} minutes`;
     this.#go(1);
   }
 
   /** Show the path of a tape: what of it is cut, and what is still to come; `band` is that of the curve, if it is known. */
-  lay(name, frames, path, refusal = "", band = null) {
+  lay(/** @type {string} */ name, /** @type {Bytes} */ frames, /** @type {Path | null} */ path, refusal = "", /** @type {any} */ band = null) {
     if (this.path === path) return;
-    this.path = path;
+    this.path = /** @type {Path} */ (path);
     this.name = name;
     this.tape = { label: name, code: EIA, frames, first: frames.findIndex((frame) => frame !== 0) };
     this.steps = path?.steps ?? [];
     find("refusal").textContent = refusal;
-    this.drawing = this.steps.length ? contour(path, this.bench.record.cutter, band) : null;
-    this.milled = this.drawing && new Plate(path.knots, this.drawing.diameter, this.drawing.bounds, FINE, 0);
+    this.drawing = this.steps.length ? contour(this.path, this.bench.record.cutter, band) : null;
+    this.milled = this.drawing && new Plate(this.path.knots, this.drawing.diameter, this.drawing.bounds, FINE, false);
     find("eia").value = name;
     put(find("blocks"), html`<ol>${this.steps.map((step) => row(step))}</ol>`);
     this.line = null;
@@ -75,19 +80,19 @@ export class Mill {
   }
 
   /** Show it so many ticks after it began; before, it waits for its tape. */
-  follow(ticks) {
+  follow(/** @type {number} */ ticks) {
     this.#go(ticks / SECOND / this.path.times.total);
   }
 
   /** Go to a part, 0 to 1, of the time that the tape takes; before 0 nothing has begun. */
-  #go(part) {
+  #go(/** @type {number} */ part) {
     this.part = Math.min(part, 1);
     find("at").value = String(part);
     this.show();
   }
 
   /** Show as much of it as the slider says. */
-  slide({ value }) {
+  slide(/** @type {HTMLInputElement} */ { value }) {
     this.#go(Number(value));
   }
 
@@ -98,7 +103,7 @@ export class Mill {
   }
 
   /** Cut on; return whether there is more to cut. */
-  #picture(passed) {
+  #picture(/** @type {number} */ passed) {
     this.#go(Math.min(1, this.part + passed / 1000 / TAKES));
     return this.part < 1;
   }
@@ -108,7 +113,7 @@ export class Mill {
     return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.path?.times.total ?? 0)} minutes at the Hydra-Point.`;
   }
 
-  #where({ block, x, y }) {
+  #where(/** @type {PathPlace} */ { block, x, y }) {
     return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes(this.path.times.total * this.part)} min`;
   }
 
@@ -121,15 +126,15 @@ export class Mill {
     const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
     bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
-    this.plate.draw(key, (...at) => plated(drawing, this.milled, started ? place : null, ...at));
-    this.whole.draw(key, (...size) => whole(drawing, place, started, ...size));
-    this.close.draw(key, (...size) => close(drawing, place, started, ...size));
+    this.plate.draw(key, (/** @type {[Canvas, number, number]} */ ...at) => plated(drawing, /** @type {Plate} */ (this.milled), started ? place : null, ...at));
+    this.whole.draw(key, (/** @type {[number, number]} */ ...size) => whole(drawing, place, started, ...size));
+    this.close.draw(key, (/** @type {[number, number]} */ ...size) => close(drawing, place, started, ...size));
     this.#tape({ ...this.tape, head: this.tape.first + (started ? path.row(second) : 0) });
     this.#light(this.rows[place.block]);
   }
 
   /** Make a line of the list the current one: lit, named to screen readers, and kept in view. */
-  #light(line) {
+  #light(/** @type {HTMLElement} */ line) {
     if (line === this.line) return;
     this.line?.classList.remove("now");
     this.line?.removeAttribute("aria-current");
@@ -143,37 +148,37 @@ export class Mill {
   }
 
   /** The tape under the head of the Hydra-Point's reader. */
-  #tape(view) {
+  #tape(/** @type {TapeView} */ view) {
     const { bench } = this;
     const frame = view.frames[view.head];
     const says = `frame ${grouped(view.head)} of ${grouped(view.frames.length)}: ${octal(frame, 3)} ${EIA.caption(frame)}`;
     bench.writer.text(find("mill-reader").querySelector(".name"), says);
     bench.writer.label(find("mill-reader").querySelector("canvas"), `${view.label}, ${says}`);
-    bench.writer.fill(find("mill-block"), BLOCK, ...passing(view.frames, view.head, view.code));
-    this.reader.draw(tapeKey(view), (context, ...size) => drawTape(context, view, ...size));
+    bench.writer.fill(find("mill-block"), BLOCK, ...passing(/** @type {Bytes} */ (view.frames), view.head, view.code));
+    this.reader.draw(tapeKey(view), (context, /** @type {[number, number, Colours]} */ ...size) => drawTape(context, view, ...size));
   }
 }
 
 /** The path of a tape as far as it was cut, and why no further. */
-function carriedOut(frames) {
+function carriedOut(/** @type {Bytes} */ frames) {
   try {
     return { path: cut(frames), refusal: "" };
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     return { path: error instanceof CutError ? error.path : null, refusal: `Refused: ${error}` };
   }
 }
 
-function roundness({ radius, x, y, lowest, highest }) {
+function roundness(/** @type {Circle & { lowest: number; highest: number }} */ { radius, x, y, lowest, highest }) {
   const ideal = `circle of ${inches(radius)} in about ${inches(x)}, ${inches(y)}`;
   return `${ideal}; centre within ${signed(lowest)} and ${signed(highest)}`;
 }
 
-function row({ block, at }) {
+function row(/** @type {Step} */ { block, at }) {
   let from = 0;
   const fields = [...FIELDS.values()].map((width) => block.digits.slice(from, (from += width)));
   return html`<li>${fields.join(" ")} <span>X ${inches(at.x)} Y ${inches(at.y)} Z ${inches(at.z)}</span></li>`;
 }
 
-function signed(length) {
+function signed(/** @type {number} */ length) {
   return `${length < 0 ? "−" : "+"}${Math.abs(length / 1000).toFixed(4)}`;
 }

@@ -7,14 +7,14 @@ import { find, octal } from "../written.mjs";
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
 const AGAIN = ["Assemble and run", "#run-it"];
 const RIM = ["Toggle in the RIM loader", "#drill"];
-const HANDS = {
+/** @type {Record<string, string[]>} */ const HANDS = {
   keyboard: ["Type a character", "#paper"], tape: ["Choose a tape", "#shelf"], lever: ["Lever to START", "#lever"],
   "high-speed tape": ["Choose a high-speed tape", "#pc8-shelf"],
 };
 
 /** What the machine waits for: [sentence, controls as [label, selector]].
  *  @returns {[string, string[][]]} */
-export function next({ machine, why }) {
+export function next(/** @type {Bench} */ { machine, why }) {
   const { processor, waiting } = machine;
   if (!processor.run) return standing(processor, why);
   if (!waiting.endless) return ["The program runs.", [STOP]];
@@ -24,14 +24,14 @@ export function next({ machine, why }) {
 }
 
 /** @returns {[string, string[][]]} */
-function standing({ core, pc, sing_step: step }, why) {
-  const said = why ? `${why}.` : "The machine is stopped.";
-  if (!core.some((word) => word)) return [`${said} Its core memory is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
+function standing(/** @type {Processor} */ { core, pc, sing_step: step }, /** @type {string} */ why) {
+  const stands = why ? `${why}.` : "The machine is stopped.";
+  if (!core.some((word) => word)) return [`${stands} Its core memory is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
-  return [`${said} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];
+  return [`${stands} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];
 }
 
 /** Whether a pane is not in the page, which shows but some. */
-export function out(pane) {
+function out(/** @type {string} */ pane) {
   return find(pane).classList.contains("out");
 }

@@ -26,42 +26,43 @@ import { clipped, rect } from "../svg.mjs";
 import { bytes } from "../translator/runtime.mjs";
 import { find, grouped } from "../written.mjs";
 
-const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
+export const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
 const SECONDS = 10; // that a printout may take
 const TRANSLATION = 60;
 const FRAMES_A_MINUTE = 600; // of the ASR-33
 
 /** What is kept for an option as it was typed; undefined: as it is by itself. */
-function kept({ choices, default: by_itself, flag, places, spelling, unit, whole }, typed) {
+function kept(/** @type {Option_} */ { choices, default: by_itself, flag, places, spelling, unit, whole }, /** @type {any} */ typed) {
   const text = typed || by_itself;
   if (flag || choices || !text) return text;
   try {
-    return unit ? new Unit(...unit).keep(text, whole ?? false) : places ? drill.places(text) : text;
-  } catch (error) {
+    return unit ? new Unit(.../** @type {ConstructorParameters<typeof Unit>} */ (unit)).keep(text, whole ?? false) : places ? drill.places(text) : text;
+  } catch (/** @type {any} */ error) {
     throw new Error(`${spelling}: ${error.message}`, { cause: error });
   }
 }
 
 /** The printout of a part, for options as they were typed, {name: text}. Throws what the command would say. */
-export function printout({ name, options, arguments: places }, typed) {
+export function printout(/** @type {Part_} */ { name, options, arguments: places }, /** @type {any} */ typed) {
   const missing = options.find((option) => option.required && !typed[option.name]);
   if (missing) throw new Error(`${name}: Missing argument '${missing.name.toUpperCase()}'.`);
   const values = Object.fromEntries(options.map((option) => [option.name, kept(option, typed[option.name])]));
-  const record = (kind, fields) => new RECORDS[kind](...fields.map((field) => values[field]));
-  return PROGRAMS[name].part(...places.map(([place, kind, fields]) => (kind ? record(kind, fields) : values[place])));
+  const record = (/** @type {string} */ kind, /** @type {string[]} */ fields) => new (/** @type {any} */ (RECORDS))[kind](...fields.map((field) => values[field]));
+  return /** @type {any} */ (PROGRAMS[name]).part(...places.map(([place, kind, fields]) => (kind ? record(kind, fields) : values[place])));
 }
 
 /** The EIA tape that eia.pal, on its BIN tape, makes of a printout. */
-export function translated(program, text) {
+export function translated(/** @type {Iterable<number>} */ program, /** @type {string} */ text) {
   return Uint8Array.from(method.translated(decode(bytes(program)).words.items(), encode(text)).teletype.punch.tape);
 }
 
 export class Parts {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.translating = false;
-    find("part-name").replaceChildren(...bench.record.parts.map(({ name }) => new Option(name)));
+    this.name = ""; // of the tape that was punched
+    find("part-name").replaceChildren(...bench.record.parts.map((/** @type {Part_} */ { name }) => new Option(name)));
     this.pad = new Pad(find("part-pad"), () => this.#drawn());
     this.ask();
   }
@@ -79,8 +80,8 @@ export class Parts {
   }
 
   /** Choose a part, with options as they were typed. Throws for one that there is not. */
-  choose(name, typed) {
-    const at = this.bench.record.parts.findIndex((part) => part.name === name);
+  choose(/** @type {string} */ name, /** @type {any} */ typed) {
+    const at = this.bench.record.parts.findIndex((/** @type {Part_} */ part) => part.name === name);
     if (at < 0) throw new Error(`no part program ${name}`);
     find("part-name").selectedIndex = at;
     if (name === "drawn" && typed.heights) this.pad.text = typed.heights;
@@ -108,7 +109,7 @@ export class Parts {
   }
 
   /** Mill the EIA tape of the part that is chosen; it is made apart from the page, and the machine is left alone. */
-  async mill(name) {
+  async mill(/** @type {string} */ name) {
     const { apart, mill, shelf } = this.bench;
     const said = find("part-is-cut");
     said.textContent = "The part program and eia.pal are running.";
@@ -116,7 +117,7 @@ export class Parts {
       const text = await apart.ask("printout", [this.part, this.typed], SECONDS);
       mill.cut(shelf.put(name, bytes(await apart.ask("translated", [shelf.get("eia.bin").frames, text], TRANSLATION))));
       said.textContent = mill.summary;
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       said.textContent = error.message;
     }
   }
@@ -134,7 +135,7 @@ export class Parts {
       const blocks = grouped(text.split("\n").length - 1);
       find("part-punched").textContent = `${blocks} blocks: ${this.name}, ${grouped(tape.length)} frames, is in the reader. Punching it took ${minutes} minutes.`;
       find("part-translate").disabled = false;
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       find("part-punched").textContent = error.message;
     }
   }
@@ -142,7 +143,7 @@ export class Parts {
   /** Let eia.pal run on the tape, with an empty punch, at full speed; show() sees its end. */
   translate() {
     const { bench } = this;
-    bench.editor.stopCounting();
+    find("counts").checked = false;
     bench.machine.watch.breakpoints.clear(); // they were another program's
     bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
     bench.editor.load();
@@ -155,7 +156,7 @@ export class Parts {
     find("part-translated").textContent = "eia.pal is running.";
   }
 
-  cut(button) {
+  cut(/** @type {HTMLButtonElement} */ button) {
     const { mill, teletype } = this.bench;
     mill.cut(teletype.tear(button, this.name.replace(".asc", ".eia")));
     find("part-is-cut").textContent = mill.summary;

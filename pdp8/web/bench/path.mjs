@@ -8,18 +8,18 @@ const STEPS = 720; // of a circle that is drawn
 /** What is drawn of a path. The band is the one that is known, { inner, nominal, outer } as [x, y], or that about the circle
  *  which the path follows.
  */
-export function contour(path, diameter, known) {
+export function contour(/** @type {Path} */ path, /** @type {number} */ diameter, /** @type {{ [side in keyof Band]: number[][] } | null} */ known) {
   const circle = followed(path.cuts);
   const band = known ? { inner: places(known.inner), nominal: places(known.nominal), outer: places(known.outer) } : circle && about(circle);
   return { path, diameter, bounds: bounds(path, diameter), circle, band };
 }
 
-function places(points) {
+function places(/** @type {number[][]} */ points) {
   return points.map(([x, y]) => ({ x, y }));
 }
 
 /** The room that the path takes. */
-export function bounds({ knots: all }, diameter) {
+export function bounds(/** @type {Path} */ { knots: all }, /** @type {number} */ diameter) {
   const cut = all.filter(({ down }) => down);
   const knots = cut.length ? cut : all, margin = diameter / 2 + MARGIN;
   const [xs, ys] = [knots.map(({ x }) => x), knots.map(({ y }) => y)];
@@ -30,7 +30,7 @@ export function bounds({ knots: all }, diameter) {
 }
 
 /** The circle that the milled path follows, with how far inside and outside of it the cutter's centre goes. */
-function followed(cuts) {
+function followed(/** @type {Path["cuts"]} */ cuts) {
   const ends = cuts.map(({ end }) => end);
   if (ends.length < 8) return null;
   const circle = fitted(ends);
@@ -40,10 +40,10 @@ function followed(cuts) {
 }
 
 /** The circle of least squares through points (Kåsa), its centre and radius to a thousandth. */
-function fitted(points) {
-  const mean = (value) => points.reduce((sum, point) => sum + value(point), 0) / points.length;
+function fitted(/** @type {Place[]} */ points) {
+  const mean = (/** @type {(point: Place) => number} */ value) => points.reduce((sum, point) => sum + value(point), 0) / points.length;
   const [mx, my] = [mean(({ x }) => x), mean(({ y }) => y)];
-  const u = ({ x }) => x - mx, v = ({ y }) => y - my, square = (point) => u(point) ** 2 + v(point) ** 2;
+  const u = (/** @type {Place} */ { x }) => x - mx, v = (/** @type {Place} */ { y }) => y - my, square = (/** @type {Place} */ point) => u(point) ** 2 + v(point) ** 2;
   const [uu, uv, vv] = [mean((p) => u(p) ** 2), mean((p) => u(p) * v(p)), mean((p) => v(p) ** 2)];
   const [us, vs] = [mean((p) => u(p) * square(p)), mean((p) => v(p) * square(p))];
   const determinant = 2 * (uu * vv - uv * uv) || 1;
@@ -53,8 +53,8 @@ function fitted(points) {
 }
 
 /** The band about a circle. */
-function about({ x, y, radius }) {
-  const ring = (far) => Array.from({ length: STEPS + 1 }, (_, step) => {
+function about(/** @type {Circle} */ { x, y, radius }) {
+  const ring = (/** @type {number} */ far) => Array.from({ length: STEPS + 1 }, (_, step) => {
     const angle = (2 * Math.PI * step) / STEPS;
     return { x: x + far * Math.cos(angle), y: y + far * Math.sin(angle) };
   });

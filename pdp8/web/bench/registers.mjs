@@ -6,7 +6,7 @@ import { wrote } from "../../computer/watch.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
 
 export class Registers {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.cells = new Map([...find("registers").querySelector("dl").children].map((row) => [row.dataset.register, row.lastElementChild]));
   }
@@ -41,12 +41,12 @@ export class Registers {
     };
   }
 
-  set(input) {
-    const name = { PC: "pc", AC: "ac", L: "link" }[input.ariaLabel];
+  set(/** @type {HTMLInputElement} */ input) {
+    const name = { PC: "pc", AC: "ac", L: "link" }[/** @type {"PC" | "AC" | "L"} */ (input.ariaLabel)];
     const word = parseInt(input.value, 8) & (name === "link" ? 1 : 0o7777);
     input.blur();
     this.bench.touch((machine) => {
-      if (/^[0-7]{1,4}$/.test(input.value)) machine[name] = word;
+      if (/^[0-7]{1,4}$/.test(input.value)) /** @type {any} */ (machine)[name] = word;
     });
   }
 }

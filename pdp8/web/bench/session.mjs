@@ -10,7 +10,7 @@ const SESSION = "pdp8 session";
 
 export class Session {
   /** `parts` by their names, in the order in which they are found again. */
-  constructor(bench, parts) {
+  constructor(/** @type {Bench} */ bench, /** @type {Record<string, any>} */ parts) {
     this.bench = bench;
     this.parts = parts;
     addEventListener("pagehide", () => this.keep());
@@ -33,7 +33,7 @@ export class Session {
   open() {
     let found = null;
     try {
-      found = JSON.parse(kept(SESSION));
+      found = JSON.parse(String(kept(SESSION)));
     } catch { /* it is damaged */ }
     for (const [name, part] of Object.entries(this.parts)) {
       try {

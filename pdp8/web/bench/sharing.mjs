@@ -17,18 +17,18 @@ export async function opened() {
 }
 
 /** The address of a page with `shared` in it. */
-export async function linked(shared, page) {
+export async function linked(/** @type {unknown} */ shared, /** @type {string} */ page) {
   const stream = new Blob([JSON.stringify(shared)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
   const data = new Uint8Array(await new Response(stream).arrayBuffer());
   const text = btoa(Array.from(data, (byte) => String.fromCharCode(byte)).join(""));
   return `${page}#s=${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
 }
 
-const plain = (value) => value?.constructor === Object;
-const tape = (value) => Array.isArray(value) && value.length > 1;
+const plain = (/** @type {any} */ value) => value?.constructor === Object;
+const tape = (/** @type {any} */ value) => Array.isArray(value) && value.length > 1;
 
-/** What of a state is not as in `usual`; a tape that is a piece of one of `tapes` by [its name, from, to]. */
-export function shortened(state, usual, tapes) {
+/** What of a state is not as in `usual`; a tape that is a piece of one of `tapes` by [its name, from, to]. @returns {any} */
+export function shortened(/** @type {any} */ state, /** @type {any} */ usual, /** @type {Map<string, string>} */ tapes) {
   const parts = Object.entries(state).map(([name, value]) => {
     if (JSON.stringify(value) === JSON.stringify(usual?.[name])) return [name, undefined];
     if (plain(value)) return [name, shortened(value, usual?.[name], tapes)];
@@ -37,19 +37,19 @@ export function shortened(state, usual, tapes) {
   return Object.fromEntries(parts.filter(([, value]) => value !== undefined));
 }
 
-/** The state that was shortened. Throws for a tape that is not at hand. */
-export function whole(state, tapes) {
+/** The state that was shortened. Throws for a tape that is not at hand. @returns {any} */
+export function whole(/** @type {any} */ state, /** @type {Map<string, string>} */ tapes) {
   const parts = Object.entries(state).map(([name, value]) => {
     if (!plain(value)) return [name, value];
     if (!value.$tape) return [name, whole(value, tapes)];
-    const [called, from, to] = value.$tape;
-    if (!tapes.has(called)) throw new Error(`no tape ${called} is bundled`);
-    return [name, [tapes.get(called).slice(from, to)]];
+    const [called, from, to] = value.$tape, bundled = tapes.get(called);
+    if (bundled === undefined) throw new Error(`no tape ${called} is bundled`);
+    return [name, [bundled.slice(from, to)]];
   });
   return Object.fromEntries(parts);
 }
 
-function piece(text, tapes) {
+function piece(/** @type {string} */ text, /** @type {Map<string, string>} */ tapes) {
   for (const [name, frames] of tapes) {
     const from = frames.indexOf(text);
     if (from >= 0) return { $tape: [name, from, from + text.length] };

@@ -7,26 +7,26 @@ const NEWEST = 20; // tapes that are kept
 const LOOK = 1000; // frames that say in which code a tape is shown
 
 /** The code in which frames are shown. */
-export function codeOf(frames) {
+export function codeOf(/** @type {Bytes | number[] | Uint8Array} */ frames) {
   return recognise(bytes(frames.slice(0, LOOK)));
 }
 
 /** `name`, or the first free one of "name 2", "name 3" ... */
-export function free(name, taken) {
-  const [, stem, ending = ""] = /^(.*?)(\.\w+)?$/s.exec(name);
+export function free(/** @type {string} */ name, /** @type {(name: string) => boolean} */ taken) {
+  const [, stem, ending = ""] = /** @type {RegExpExecArray} */ (/^(.*?)(\.\w+)?$/s.exec(name));
   let found = name;
   for (let number = 2; taken(found); number++) found = `${stem} ${number}${ending}`;
   return found;
 }
 
 /** What the lists of the page offer that name some tapes: data-tapes. */
-const OFFERED = { any: (name) => !name.endsWith(".pal"), eia: (name, { code }) => code.name === "eia" };
+const OFFERED = { any: (/** @type {string} */ name) => !name.endsWith(".pal"), eia: (/** @type {string} */ name, /** @type {{ code: Code }} */ { code }) => code.name === "eia" };
 
 /** A tape, as a text or as its frames: what it is, is asked when it is wanted. */
 class Tape {
-  constructor(content) {
+  constructor(/** @type {any} */ content) {
     this.content = content;
-    this.known = null;
+    this.known = /** @type {Code | null} */ (null);
   }
 
   get frames() {
@@ -41,13 +41,13 @@ class Tape {
 }
 
 export class Shelf {
-  constructor(bundled) {
+  constructor(/** @type {Record<string, string>} */ bundled) {
     this.tapes = new Map();
     this.bundled = Object.keys(bundled);
     for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames);
   }
 
-  #add(name, frames) {
+  #add(/** @type {string} */ name, /** @type {string | Uint8Array} */ frames) {
     this.tapes.set(name, new Tape(frames));
   }
 
@@ -56,7 +56,7 @@ export class Shelf {
     const lists = document.querySelectorAll("select[data-tapes]");
     for (const list of lists) {
       const { value } = list;
-      const names = this.names().filter((name) => OFFERED[list.dataset.tapes](name, this.get(name)));
+      const names = this.names().filter((name) => /** @type {any} */ (OFFERED)[String(list.dataset.tapes)](name, this.get(name)));
       list.replaceChildren(list.options[0], ...names.map((name) => new Option(name)));
       list.value = value;
     }
@@ -77,12 +77,12 @@ export class Shelf {
     return [...this.tapes.keys()];
   }
 
-  get(name) {
+  get(/** @type {string} */ name) {
     return this.tapes.get(name);
   }
 
   /** Put a tape onto the shelf, under another name if that is taken by another tape; return the name. */
-  put(name, frames) {
+  put(/** @type {string} */ name, /** @type {Uint8Array} */ frames) {
     const called = free(name, (each) => this.tapes.has(each));
     this.#add(called, bytes(frames));
     this.offer();

@@ -5,16 +5,16 @@ import { RESTS } from "./alone.mjs";
 import { free } from "./shelf.mjs";
 
 /** Keep a setting, for this tab's next reload and for the next visit; return why this browser does not. */
-export function keep(name, text) {
+export function keep(/** @type {string} */ name, /** @type {string} */ text) {
   try {
     if (!RESTS) for (const store of [sessionStorage, localStorage]) store.setItem(name, text);
     return "";
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     return String(error.message ?? error);
   }
 }
 
-export function kept(name) {
+export function kept(/** @type {string} */ name) {
   try {
     return RESTS ? null : sessionStorage.getItem(name) ?? localStorage.getItem(name);
   } catch {
@@ -34,7 +34,7 @@ export class Store {
   }
 
   names() {
-    let keys = [];
+    let keys = /** @type {string[]} */ ([]);
     try {
       if (!RESTS) keys = Object.keys(localStorage).filter((key) => key.startsWith(this.prefix)).map((key) => key.slice(this.prefix.length));
     } catch { /* it keeps nothing */ }
@@ -42,7 +42,7 @@ export class Store {
   }
 
   /** The text of that name; undefined if there is none. */
-  get(name) {
+  get(/** @type {string} */ name) {
     if (this.held.has(name)) return this.held.get(name);
     try {
       return (RESTS ? null : localStorage.getItem(this.prefix + name)) ?? undefined;
@@ -52,7 +52,7 @@ export class Store {
   }
 
   /** What the text of that name says in JSON; null if it says nothing. */
-  read(name) {
+  read(/** @type {string} */ name) {
     try {
       return JSON.parse(this.get(name) ?? "null");
     } catch {
@@ -61,19 +61,19 @@ export class Store {
   }
 
   /** Keep a text, in place of what it was. */
-  keep(name, text) {
+  keep(/** @type {string} */ name, /** @type {string} */ text) {
     this.refused = "";
     this.held.delete(name);
     if (RESTS) return void this.held.set(name, text);
     try {
       localStorage.setItem(this.prefix + name, text);
-    } catch (error) {
+    } catch (/** @type {any} */ error) {
       this.refused = String(error.message ?? error);
       this.held.set(name, text);
     }
   }
 
-  remove(name) {
+  remove(/** @type {string} */ name) {
     this.held.delete(name);
     try {
       localStorage.removeItem(this.prefix + name);
@@ -81,7 +81,7 @@ export class Store {
   }
 
   /** Keep a text that comes from elsewhere, under a free name if its own is another's; return the name. */
-  take(name, text) {
+  take(/** @type {string} */ name, /** @type {string} */ text) {
     const called = free(name, (each) => (this.get(each) ?? text) !== text);
     this.keep(called, text);
     return called;

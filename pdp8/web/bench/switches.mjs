@@ -11,36 +11,36 @@ import { find } from "../written.mjs";
 import { keyed } from "./wiring.mjs";
 
 export class Switches {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.panel = new Panel(find("computer"));
     this.card = new Card(bench);
     document.addEventListener("keydown", (event) => {
       const place = bench.room.open ? find("room") : find("computer");
-      if (bench.room.open ? !event.target.matches("input") : place.contains(event.target)) this.#key(place, event);
+      if (bench.room.open ? !event.target?.matches("input") : place.contains(/** @type {Node} */ (event.target))) this.#key(place, event);
     });
   }
 
-  show(samples) {
+  show(/** @type {Lamps[] | undefined} */ samples) {
     this.panel.show(this.bench.machine, this.bench.afternoon.pressed, samples);
   }
 
-  flip({ value: bit }) {
-    this.#set(this.bench.machine.processor.sr ^ (0o4000 >> bit));
+  flip(/** @type {{ value: number | string }} */ { value: bit }) {
+    this.#set(this.bench.machine.processor.sr ^ (0o4000 >> Number(bit)));
   }
 
   /** Set the switch register. */
-  #set(word) {
+  #set(/** @type {number} */ word) {
     this.bench.touch(({ panel }) => (panel.sr = word));
   }
 
-  key({ dataset }) {
-    this.press(dataset.key);
+  key(/** @type {HTMLElement} */ { dataset }) {
+    this.press(String(dataset.key));
   }
 
-  press(name) {
+  press(/** @type {string} */ name) {
     this.bench.afternoon.takeOver();
-    const { panel, processor } = this.bench.machine;
+    const { panel, processor } = /** @type {{ panel: any; processor: Processor }} */ (this.bench.machine);
     const method = name.replace(" ", "_");
     if (name === "sing step" || name === "mem prot") {
       if (name === "sing step") awaitHand(this.bench.machine);
@@ -52,7 +52,7 @@ export class Switches {
     this.bench.touched();
   }
 
-  #key(place, event) {
+  #key(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {
     const control = keyed(place.querySelector(".hand") ?? place, event);
     if (control) control.click();
     else if (/^[0-7]$/.test(event.key) && place.querySelector(".rocker") && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
@@ -62,17 +62,17 @@ export class Switches {
 }
 
 /** A picture ends with an instruction; a hand comes in any cycle. */
-function awaitHand(machine) {
+function awaitHand(/** @type {Machine} */ machine) {
   const { run, next } = machine.processor;
   if (run && next === FETCH) machine.run(null, null, Math.floor(Math.random() * 3));
 }
 
 /** The RIM loader as it was stuck on the panel; it can be toggled in, or practised. */
 class Card {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    this.card = drill("rim", null);
-    this.coach = null; // who looks on while it is practised
+    this.card = drill("rim", []);
+    this.coach = /** @type {Coach | null} */ (null); // who looks on while it is practised
     this.looked = 0; // when the coach last did: the clock is the visitor's, not the machine's
     put(find("card").querySelector("ol"), this.card.steps.map(({ say }) => html`<li>${say}</li>`));
   }
@@ -91,17 +91,17 @@ class Card {
     return coach && [coach.at, coach.wrong, coach.seconds, coach.begun];
   }
 
-  set kept([at, wrong, seconds, begun]) {
+  set kept(/** @type {any} */ [at, wrong, seconds, begun]) {
     this.#practise(true);
     find("card").querySelector("details").open = true;
-    Object.assign(this.coach, { at: at % this.card.steps.length, wrong, seconds, begun });
-    this.#say(`Go on: ${this.card.steps[this.coach.at].say}`);
+    const coach = Object.assign(/** @type {Coach} */ (this.coach), { at: at % this.card.steps.length, wrong, seconds, begun });
+    this.#say(`Go on: ${this.card.steps[coach.at].say}`);
   }
 
   /** Something else is in core: nobody practises. */
   end() {
     if (!this.coach) return;
-    this.coach = null;
+    this.coach = /** @type {Coach | null} */ (null);
     this.#say("");
   }
 
@@ -119,7 +119,7 @@ class Card {
     else this.practise();
   }
 
-  #practise(on) {
+  #practise(/** @type {boolean} */ on) {
     this.bench.afternoon.takeOver();
     this.coach = on ? new Coach(this.card, this.bench.machine) : null;
     this.looked = performance.now();
@@ -127,7 +127,7 @@ class Card {
   }
 
   /** Whether a key may be pressed: where the card is practised, the next one alone. */
-  allows(key) {
+  allows(/** @type {string} */ key) {
     const { coach } = this;
     if (!coach) return true;
     coach.machine = this.bench.machine;
@@ -135,12 +135,12 @@ class Card {
     coach.advance((now - this.looked) / 1000);
     this.looked = now;
     const allowed = coach.allows(key);
-    if (coach.done) this.coach = null;
+    if (coach.done) this.coach = /** @type {Coach | null} */ (null);
     this.#say(coach.said);
     return allowed;
   }
 
-  #say(words) {
+  #say(/** @type {string} */ words) {
     const at = this.coach ? this.coach.at : -1;
     [...find("card").querySelectorAll("li")].forEach((row, index) => row.classList.toggle("now", index === at));
     find("drill").ariaPressed = String(Boolean(this.coach));

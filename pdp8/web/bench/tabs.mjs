@@ -4,18 +4,18 @@ import { html, put } from "../html.mjs";
 import { find } from "../written.mjs";
 
 export class Tabs {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.list = find("tabs");
     this.panes = [...document.querySelectorAll("[data-tab]")];
     const tabs = this.panes.map(({ id, dataset: { tab } }) => html`<button role="tab" data-opens="${id}" data-click="tabs.choose" aria-controls="${id}">${tab}</button>`);
     put(this.list, tabs);
-    this.list.addEventListener("focusin", ({ target }) => this.choose(target));
+    this.list.addEventListener("focusin", (/** @type {any} */ { target }) => this.choose(target));
     this.#show(this.panes[0].id);
   }
 
   /** Show these panes alone, and of the tabs theirs. */
-  only(ids) {
+  only(/** @type {string[]} */ ids) {
     for (const tab of this.list.children) tab.hidden = !ids.includes(tab.dataset.opens);
     const shown = this.panes.filter(({ id }) => ids.includes(id));
     this.list.hidden = shown.length < 2;
@@ -31,17 +31,17 @@ export class Tabs {
     if (this.panes.some(({ id }) => id === opened)) this.open(opened);
   }
 
-  choose({ dataset: { opens } }) {
-    this.open(opens);
+  choose(/** @type {HTMLElement} */ { dataset: { opens } }) {
+    this.open(String(opens));
   }
 
-  open(opened) {
+  open(/** @type {string} */ opened) {
     if (this.list.parentElement.hidden) return;
     this.#show(opened);
     this.bench.show();
   }
 
-  #show(opened) {
+  #show(/** @type {string} */ opened) {
     const beside = opened === "exercises" && !this.bench.exercises?.sheet ? "program" : "";
     for (const pane of this.panes) pane.hidden = pane.id !== opened && pane.id !== beside;
     document.querySelector("main").classList.toggle("beside", beside !== "");

@@ -13,15 +13,15 @@ const ROLL = 100_000; // frames on the paper, until it is torn off behind the pa
 const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
 
 export class Teletype {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    const sheet = (which) => new Sheet(canvas(which), () => this.#tapes());
+    const sheet = (/** @type {"reader" | "punch"} */ which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
     this.name = "";
     this.code = ASCII;
     this.#clear();
-    find("paper").addEventListener("keydown", (event) => this.#key(event));
-    find("typed").addEventListener("keydown", (event) => {
+    find("paper").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
+    find("typed").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
       if (event.key !== "Enter") return;
       event.preventDefault();
       this.#press(NAMED.Enter);
@@ -45,18 +45,19 @@ export class Teletype {
   }
 
   /** Call the tape in the reader by its name. */
-  named(name, code) {
+  named(/** @type {string} */ name, /** @type {Code} */ code) {
     this.name = name;
-    this.code = code ?? BLANK_TAPE;
+    /** @type {Code} */ this.code = code ?? BLANK_TAPE;
   }
 
   #clear() {
-    this.paper = new Paper(LINES);
-    this.taken = 0;
+    /** @type {Paper} */ this.paper = new Paper(LINES);
+    /** @type {number} */ this.taken = 0;
+    /** @type {number} */ this.drawn = 0;
   }
 
   /** Type what has been printed since the last look. */
-  #page(frames) {
+  #page(/** @type {ArrayLike<number>} */ frames) {
     if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.#clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
     this.typed = Boolean(this.terminal);
@@ -68,13 +69,13 @@ export class Teletype {
   }
 
   /** Sound for a character that is printed; "" is none. */
-  #sound(character) {
+  #sound(/** @type {string} */ character) {
     if (character === "\x07") this.bench.sound.strike("bell");
     else if (character > "\r") this.bench.sound.strike("print");
   }
 
   /** Turn the sound of the page on or off. */
-  hear({ checked }) {
+  hear(/** @type {HTMLInputElement} */ { checked }) {
     this.bench.sound.turn(checked);
   }
 
@@ -90,26 +91,26 @@ export class Teletype {
   }
 
   /** A key that prints nothing: its code is the button's value. */
-  key({ value }) {
+  key(/** @type {HTMLInputElement} */ { value }) {
     this.#press(String.fromCharCode(Number(value)));
   }
 
   /** What is typed into the field goes to the computer at once. */
-  type(field) {
+  type(/** @type {HTMLInputElement} */ field) {
     for (const character of field.value) this.#press(character);
     field.value = "";
   }
 
-  #press(key) {
+  #press(/** @type {string} */ key) {
     this.bench.touch(({ teletype }) => teletype.keyboard.press(sent(key)));
   }
 
-  #key(event) {
+  #key(/** @type {any} */ event) {
     if (event.altKey || event.metaKey || event.key === "Tab") return;
     const copied = event.ctrlKey && event.key === "c" && String(getSelection());
     const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !copied;
     if (event.ctrlKey && !control) return;
-    const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : NAMED[event.key] ?? event.key;
+    const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : /** @type {Record<string, string>} */ (NAMED)[event.key] ?? event.key;
     if (key.length !== 1 || !sent(key).length) return;
     event.preventDefault();
     this.#press(key);
@@ -125,14 +126,14 @@ export class Teletype {
   }
 
   /** Put the tape that is chosen from a list into the reader of the list's device. */
-  choose(list) {
+  choose(/** @type {HTMLSelectElement} */ list) {
     if (list.value && list.dataset.device === "highspeed") this.bench.touch(({ highspeed }) => highspeed.reader.load(this.#wound(list.value)));
     else if (list.value) this.mount(list.value);
     list.value = "";
   }
 
   /** The frames of a tape from the shelf, a loader's from its leader on. */
-  #wound(name) {
+  #wound(/** @type {string} */ name) {
     const { frames } = this.bench.shelf.get(name);
     return frames.slice(start(frames));
   }
@@ -140,7 +141,7 @@ export class Teletype {
   /** Put a tape from the shelf into the reader. READER RUN is set while the processor stands still, and START would drop
    *  the frame on its way: so the lever goes to STOP, to be thrown with START.
    */
-  mount(name) {
+  mount(/** @type {string} */ name) {
     this.bench.touch(({ processor, teletype: { reader } }) => {
       this.named(name, this.bench.shelf.get(name).code);
       if (reader.on && !processor.run) {
@@ -158,9 +159,9 @@ export class Teletype {
   }
 
   /** Tear a punched tape off; it goes onto the shelf. Return its name. */
-  tear({ value: device }, called = "punched") {
+  tear(/** @type {{ value: string }} */ { value: device }, called = "punched") {
     return this.bench.touch((machine) => {
-      const { frames } = machine[device].punch;
+      const { frames } = /** @type {any} */ (machine)[device].punch;
       const name = this.bench.shelf.put(called, Uint8Array.from(frames));
       frames.clear();
       return name;
@@ -171,7 +172,7 @@ export class Teletype {
     this.bench.download("punched.tape", Uint8Array.from(this.bench.machine.teletype.punch.frames));
   }
 
-  cut(button) {
+  cut(/** @type {HTMLButtonElement} */ button) {
     this.bench.mill.cut(this.tear(button));
   }
 
@@ -190,26 +191,26 @@ export class Teletype {
   }
 
   /** A lever says where it goes when it is pressed; its name says where it stands, too. */
-  #lever(id, says, whose, [stands, goes]) {
+  #lever(/** @type {string} */ id, /** @type {string} */ says, /** @type {string} */ whose, /** @type {[string, string]} */ [stands, goes]) {
     this.bench.writer.text(find(id), `${says} ${goes}`);
     this.bench.writer.label(find(id), `${whose} ${stands}: ${says} ${goes}`);
   }
 
   /** The block that is passing: its fields, the digits read so far dark. */
-  #block(tape) {
+  #block(/** @type {any} */ tape) {
     const texts = tape ? passing(tape.frames, tape.head, tape.code) : [];
     find("block").hidden = !texts.length;
     if (texts.length) this.bench.writer.fill(find("block"), BLOCK, ...texts);
   }
 
-  #tape(which, view, loaded) {
+  #tape(/** @type {"reader" | "punch"} */ which, /** @type {TapeView} */ view, /** @type {any} */ loaded) {
     const count = `${grouped(view.frames.length)}${view.punching ? " frames" : ""}`;
     const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`.trim();
     this.bench.writer.text(find(which).querySelector(".name"), loaded ? caption : "no tape");
     const frame = view.frames[view.head];
     const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${view.code.caption(frame)}`;
     this.bench.writer.label(canvas(which), `the ${which}'s tape, under the head: ${says}`);
-    const draw = (context, ...size) => loaded && drawTape(context, view, ...size);
+    const draw = (/** @type {Canvas} */ context, /** @type {any[]} */ ...size) => loaded && drawTape(context, view, .../** @type {[number, number, Colours]} */ (size));
     this.sheets[which].draw(`${tapeKey(view)} ${view.code.name} ${loaded}`, draw);
   }
 
@@ -221,6 +222,6 @@ export class Teletype {
   }
 }
 
-function canvas(which) {
+function canvas(/** @type {"reader" | "punch"} */ which) {
   return find(which).querySelector("canvas");
 }

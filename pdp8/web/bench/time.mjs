@@ -1,17 +1,16 @@
 // The time bar: run and stop, steps by unit, speed; the same controls for the afternoon and for the live machine.
 
 import * as rewind from "../../computer/past/rewind.mjs";
-import { forward } from "../../computer/use/goals.mjs";
+import { forward, until } from "../../computer/use/goals.mjs";
 import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
 import { keyed } from "./wiring.mjs";
 
-const FINE = 4000; // steps of the slider: about half a pixel
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
 
 export class Time {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.unit = "instruction";
     const keys = {
@@ -24,8 +23,8 @@ export class Time {
     document.addEventListener("keydown", (event) => {
       if (bench.room.open) return; // which has keys of its own
       const control = keyed(find("time"), event);
-      const own = event.target.matches(TYPED_INTO) || (event.key === " " && event.target.matches("button"));
-      const action = control ? () => control.click() : keys[event.key];
+      const own = event.target?.matches(TYPED_INTO) || (event.key === " " && event.target?.matches("button"));
+      const action = control ? () => control.click() : /** @type {Record<string, () => void>} */ (keys)[event.key];
       if (!action || own || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       action();
@@ -37,11 +36,18 @@ export class Time {
     const { bench } = this;
     if (bench.afternoon.on) bench.afternoon.play(!bench.afternoon.playing);
     else if (bench.machine.processor.run) bench.switches.press("stop");
-    else this.run();
+    else this.#run();
+  }
+
+  /** Run until what the form asks for. */
+  runUntil() {
+    const { bench } = this;
+    bench.afternoon.takeOver();
+    this.#run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
   }
 
   /** Press CONT; the run ends at its `goal`. */
-  run(goal) {
+  #run(goal = /** @type {import("../../computer/use/goals.mjs").Goal | undefined} */ (undefined)) {
     const { bench } = this;
     bench.aim(goal);
     bench.machine.panel.cont();
@@ -50,14 +56,14 @@ export class Time {
   }
 
   /** Go on (1) or back (-1) by the chosen unit. */
-  step({ value }) {
+  step(/** @type {HTMLInputElement} */ { value }) {
     const { bench, unit } = this;
     if (bench.afternoon.on) bench.afternoon.step(unit, Number(value));
     else if (Number(value) > 0) this.#forward(unit);
     else this.#back(unit);
   }
 
-  #forward(unit) {
+  #forward(/** @type {string} */ unit) {
     const { bench } = this;
     bench.aim();
     const reason = forward(bench.history, unit);
@@ -66,11 +72,11 @@ export class Time {
     else bench.ended(reason);
   }
 
-  #back(unit) {
+  #back(/** @type {string} */ unit) {
     const { bench } = this;
     let said = "";
     try {
-      rewind[`${unit}s`](bench.history, 1);
+      /** @type {any} */ (rewind)[`${unit}s`](bench.history, 1);
     } catch (error) {
       said = String(error);
     }
@@ -87,47 +93,29 @@ export class Time {
     if ([...find("speed").options].some(({ value }) => value === speed)) this.setSpeed(speed);
   }
 
-  /** Show where the afternoon is: of so many ticks, and by its clock; what is done, and what comes next. */
-  at(now, end, time, act) {
-    const slider = find("slider");
-    slider.max = end;
-    if (Math.abs(slider.value - now) > end / FINE) slider.value = now;
-    if (find("clock").textContent !== time) slider.setAttribute("aria-valuetext", `${time}, ${act}`);
-    this.bench.writer.text(find("clock"), time);
-  }
-
-  says(why, words) {
-    this.bench.writer.text(find("why"), why);
-    this.bench.writer.html(find("next"), words);
-  }
-
-  focus() {
-    find("play").focus({ preventScroll: true });
-  }
-
-  choose({ value }) {
+  choose(/** @type {HTMLInputElement} */ { value }) {
     this.unit = value;
   }
 
-  speed({ value }) {
+  speed(/** @type {HTMLInputElement} */ { value }) {
     this.bench.clock.speed = Number(value);
   }
 
-  setSpeed(speed) {
+  setSpeed(/** @type {number} */ speed) {
     find("speed").value = String(speed);
     this.speed(find("speed"));
   }
 
   /** Take a speed so many places faster. */
-  #hurry(by) {
+  #hurry(/** @type {number} */ by) {
     const select = find("speed");
     select.selectedIndex = Math.max(0, Math.min(select.options.length - 1, select.selectedIndex + by));
     this.speed(select);
   }
 
   /** Press the button, or go to the field, that what can be done next names. */
-  use({ dataset }) {
-    const control = document.querySelector(dataset.for);
+  use(/** @type {HTMLElement} */ { dataset }) {
+    const control = document.querySelector(String(dataset.for));
     control.closest("details")?.setAttribute("open", "");
     if (control.matches("button")) control.click();
     else control.focus();

@@ -5,35 +5,35 @@
 // So do data-change, data-input and data-submit, of what is in the page now or later.
 
 /** Let the controls of the page call the methods that they name; one that is pressed before all is there waits. */
-export function wire(bench) {
+export function wire(/** @type {Bench} */ bench) {
   for (const kind of ["click", "change", "input", "submit"]) {
     document.addEventListener(kind, (event) => {
-      const control = event.target.closest(`[data-${kind}]`);
+      const control = event.target?.closest(`[data-${kind}]`);
       if (!control) return;
       if (kind === "submit") event.preventDefault();
       const names = control.dataset[kind].split(".");
       const method = names.pop();
-      const call = () => names.reduce((owner, name) => owner[name], bench)[method](control);
+      const call = () => names.reduce((/** @type {any} */ owner, /** @type {string} */ name) => owner[name], bench)[method](control);
       if (bench.ready) call();
-      else bench.opening.then(call);
+      else bench.opening?.then(call);
     }, true);
   }
 }
 
 /** The control within `place` that names the key of an event, or null. */
-export function keyed(place, { key, ctrlKey, altKey, metaKey }) {
+export function keyed(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ { key, ctrlKey, altKey, metaKey }) {
   if (ctrlKey || altKey || metaKey) return null;
   const name = key === " " ? "Space" : key.length === 1 ? key.toUpperCase() : key;
   return place.querySelector(`[aria-keyshortcuts~="${CSS.escape(name)}"]`);
 }
 
 /** Make a row of buttons one stop of the Tab key: arrows lead from one to the next. */
-export function rove(row) {
+export function rove(/** @type {HTMLElement} */ row) {
   const controls = [...row.querySelectorAll("button")];
   const at = () => Math.max(0, controls.findIndex((control) => control.tabIndex === 0 && !control.disabled));
-  const choose = (chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));
+  const choose = (/** @type {number} */ chosen) => controls.forEach((control, index) => (control.tabIndex = index === chosen ? 0 : -1));
   choose(Math.max(0, controls.findIndex((control) => control.checkVisibility())));
-  row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target.closest("button")))));
+  row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target?.closest("button")))));
   row.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;

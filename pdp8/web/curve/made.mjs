@@ -15,17 +15,17 @@ export const CIRCLE = { x: method.CENTRE, y: method.CENTRE, radius: method.RADIU
 
 /** What a Worker makes, by its name, of numbers and words; without classes, which do not come out of it. */
 export const WORK = {
-  characters: (words, line) => method.characters(words, ascii.encode(line)).map(({ character, rows, waited, punched }) => (
+  characters: (/** @type {any} */ words, /** @type {string} */ line) => method.characters(words, ascii.encode(line)).map(({ character, rows, waited, punched }) => (
     { character, rows: rows.map(({ address, word, ac }) => ({ address, word, ac })), waited, punched })),
-  circle: (tolerance, closed) => plain(method.circle(tolerance, closed)),
-  circleWalls: (closed, cutter) => walls(method.circle(5, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, 36000), // as many as nc/inspection.py has
-  drawn: (heights, tolerance) => plain(method.drawn(heights, tolerance)),
-  fewest: (frames, ...errors) => plain(method.fewest(frames, ...errors)),
-  pieces: (...given) => plain(method.pieces(...given)),
-  quarter: (tolerance, feed) => plain(method.quarter(tolerance, feed)),
-  quarterWalls: (tolerance, cutter, stations) => walls(method.quarter(tolerance, 1).way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, stations),
-  slope: (...given) => plain(method.slope(...given)),
-  translated: (words, text) => {
+  circle: (/** @type {number} */ tolerance, /** @type {boolean} */ closed) => plain(method.circle(tolerance, closed)),
+  circleWalls: (/** @type {boolean} */ closed, /** @type {number} */ cutter) => walls(method.circle(5, closed).way, CIRCLE, (cutter * 1000) / 16, 0, 2 * Math.PI, 36000), // as many as nc/inspection.py has
+  drawn: (/** @type {any} */ heights, /** @type {number} */ tolerance) => plain(method.drawn(heights, tolerance)),
+  fewest: (/** @type {number[]} */ frames, /** @type {[number, number]} */ ...errors) => plain(method.fewest(frames, ...errors)),
+  pieces: (/** @type {Parameters<typeof method.pieces>} */ ...given) => plain(method.pieces(...given)),
+  quarter: (/** @type {number} */ tolerance, /** @type {number} */ feed) => plain(method.quarter(tolerance, feed)),
+  quarterWalls: (/** @type {number} */ tolerance, /** @type {number} */ cutter, /** @type {number} */ stations) => walls(method.quarter(tolerance, 1).way, CIRCLE, (cutter * 1000) / 16, Math.PI, -Math.PI / 2, stations),
+  slope: (/** @type {Parameters<typeof method.slope>} */ ...given) => plain(method.slope(...given)),
+  translated: (/** @type {any} */ words, /** @type {string} */ text) => {
     const { elapsed, teletype: { punch: { tape } } } = method.translated(words, ascii.encode(text));
     const [punched, meant] = [tape, eia.encode(text.replaceAll(" ", "0"))].map((frames) => cut(frames).steps);
     const same = punched.length === meant.length && punched.every(({ at: { x, y } }, n) => x === meant[n].at.x && y === meant[n].at.y);
@@ -33,7 +33,7 @@ export const WORK = {
   },
 };
 
-function plain({ text, way, blocks, reading, milling, minutes, path }) {
+export function plain(/** @type {import("../method.mjs").Made} */ { text, way, blocks, reading, milling, minutes, path }) {
   const steps = path.steps.map(({ at: { x, y }, block: { digits, miscellaneous, preparatory }, moves }) => {
     const seconds = moves.filter(({ kind }) => kind === MoveKind.MILL).reduce((sum, move) => sum + move.seconds, 0);
     return { x, y, digits: String(digits), axis: miscellaneous === 84 ? "X" : "Y", mills: preparatory === 6, seconds };
@@ -43,7 +43,7 @@ function plain({ text, way, blocks, reading, milling, minutes, path }) {
 
 /** What is not made yet is thrown as this; `answer` is kept when it is. */
 export class Wanted extends Error {
-  constructor(answer) {
+  constructor(/** @type {Promise<unknown>} */ answer) {
     super("it is being made");
     this.answer = answer;
   }
@@ -53,10 +53,11 @@ const kept = new Map();
 const [apart, machines] = [new Apart(), new Apart()];
 let atOnce = false;
 
-/** What has been made of that name, of what was given. Throws Wanted while it is not there, or what making it threw. */
+/** What has been made of that name, of what was given. Throws Wanted while it is not there, or what making it threw.
+ *  @template {keyof typeof WORK} K @param {K} what @param {Parameters<(typeof WORK)[K]>} given @returns {ReturnType<(typeof WORK)[K]>} */
 export function made(what, ...given) {
   const key = JSON.stringify([what, ...given]);
-  if (atOnce && !kept.get(key)?.found) kept.set(key, { found: WORK[what](...given) });
+  if (atOnce && !kept.get(key)?.found) kept.set(key, { found: /** @type {any} */ (WORK)[what](...given) });
   const { found, error, answer } = kept.get(key) ?? {};
   if (found) return found;
   if (error) throw error;
@@ -68,7 +69,8 @@ export function made(what, ...given) {
   throw wanted;
 }
 
-/** The same, when it is made. */
+/** The same, when it is made.
+ *  @template {keyof typeof WORK} K @param {K} what @param {Parameters<(typeof WORK)[K]>} given @returns {Promise<ReturnType<(typeof WORK)[K]>>} */
 export async function answered(what, ...given) {
   for (;;) {
     try {
@@ -81,7 +83,7 @@ export async function answered(what, ...given) {
 }
 
 /** Let `work` be done with all that it wants made here and now. */
-export function withoutWaiting(work) {
+export function withoutWaiting(/** @type {() => void} */ work) {
   atOnce = true;
   try {
     work();

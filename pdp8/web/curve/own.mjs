@@ -11,29 +11,29 @@ const CUTTER = 125; // its radius
 const AGAIN = 400; // milliseconds after a change until the computer begins
 const NAME = "mine.eia";
 
-export function own(record, save, open) {
-  let [frames, told, waits, last] = [null, "", 0, null];
+export function own(/** @type {any} */ record, /** @type {any} */ save, /** @type {any} */ open) {
+  let told = "", waits = 0, /** @type {BlobPart & { length: number } | null} */ frames = null, /** @type {string | null} */ last = null;
 
   const figure = new Figure("own", ({ tolerance, place }, width) => {
     const box = { x: 0, y: 0, width, height: Math.round(width * 0.66) };
     const strip = { x: 8, y: box.height + 26, width: width - 62, height: 90 };
     const view = pad.fit(box);
     const tall = strip.y + strip.height + 8;
-    const band = { x: strip.x + strip.width / 2, y: strip.y + strip.height * 0.2, to: ({ dy, start }) => start - dy / 3 };
-    const alone = (said) => [clipped(box, view.line(pad.places, 'class="intended"')) + rect(box, 'class="frame"'), tall, said, { tolerance: band }];
+    const band = { x: strip.x + strip.width / 2, y: strip.y + strip.height * 0.2, to: (/** @type {Drag} */ { dy, start }) => start - dy / 3 };
+    const alone = (/** @type {string} */ said) => [clipped(box, view.line(pad.places, 'class="intended"')) + rect(box, 'class="frame"'), tall, said, { tolerance: band }];
     if (pad.finger) {
-      if (last) translate((last = ""));
+      if (last) translate((last = ""), tolerance);
       return alone("Lift the finger, and it is cut.");
     }
     const found = drawn(pad.heights, tolerance);
     if (found.text !== last) translate((last = found.text), tolerance);
-    if (found.refusal) return alone(found.refusal);
+    if ("refusal" in found) return alone(found.refusal);
     const { way } = found;
     const at = way[Math.min(way.length - 1, Math.round((place / 1000) * (way.length - 1)))];
     const off = way.map((stop) => pad.beside(stop));
     const worst = off.reduce((most, { y }) => Math.max(most, Math.abs(y)), 0);
     const content = view.line(way, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`) + view.line(pad.places, 'class="intended"') + view.line(way, 'class="way"') + view.circle({ ...at, radius: CUTTER }, 'class="tool"');
-    const to = ({ x }) => (1000 * Math.max(0, way.findIndex((stop) => view.x(stop.x) >= x))) / (way.length - 1);
+    const to = (/** @type {Place} */ { x }) => (1000 * Math.max(0, way.findIndex((stop) => view.x(stop.x) >= x))) / (way.length - 1);
     const reach = 1.6 * tolerance + 1;
     const holds = { tolerance: { ...band, y: strip.y + (strip.height / 2) * (1 - tolerance / reach) }, place: { x: view.x(at.x), y: view.y(at.y), to } };
     const said = html`<b>${found.blocks} blocks</b>: reading ${minutes(found.reading)} + cutting ${minutes(found.milling)} = <b>${minutes(found.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve; promised are ${mils(tolerance + 1)}. ${told}`;
@@ -42,9 +42,10 @@ export function own(record, save, open) {
   const pad = new Pad(figure.svg, () => figure.later());
 
   /** Have eia.pal translate the tape and the Hydra-Point read what was punched, when nothing has changed for a moment. */
-  function translate(printout, tolerance) {
+  function translate(/** @type {string} */ printout, /** @type {number} */ tolerance) {
     clearTimeout(waits);
-    [frames, told] = [null, ""];
+    frames = null;
+    told = "";
     save.disabled = true;
     open.removeAttribute("href");
     if (!printout) return;
@@ -63,7 +64,7 @@ export function own(record, save, open) {
 
   save.addEventListener("click", () => {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([frames]));
+    link.href = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (frames)]));
     link.download = NAME;
     link.click();
   });
@@ -71,11 +72,11 @@ export function own(record, save, open) {
 }
 
 /** The curve as it is milled, or why it cannot be: { refusal }. */
-function drawn(heights, tolerance) {
+function drawn(/** @type {number[]} */ heights, /** @type {number} */ tolerance) {
   try {
     return made("drawn", heights, tolerance);
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     if (error instanceof Wanted) throw error;
-    return { refusal: `It cannot be cut: ${error.message}. Widen the band, or draw it less steep there.` };
+    return { text: "", refusal: `It cannot be cut: ${error.message}. Widen the band, or draw it less steep there.` };
   }
 }

@@ -12,7 +12,7 @@ const STATIONS = 1800;
 const SLOWEST = 1; // the code of the slowest feed, by which the chart is scaled
 const RIM = 16; // pixels from the cutter's rim to the ring that makes it larger
 const COMPARED = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // tolerances of the chart
-const quarter = (tolerance, feed) => madeOf("quarter", tolerance, feed);
+const quarter = (/** @type {number} */ tolerance, /** @type {number} */ feed) => madeOf("quarter", tolerance, feed);
 
 export function curved() {
   return new Figure("curved", ({ tolerance, cutter, place }, width) => {
@@ -37,14 +37,14 @@ export function costs() {
     const { blocks, reading, milling, minutes: took } = quarter(tolerance, code);
     const most = quarter(all[0], SLOWEST).minutes;
     const wide = chart.width / all.length;
-    const to = ({ x }) => grownBack(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))], 50);
+    const to = (/** @type {Place} */ { x }) => grownBack(all[Math.max(0, Math.min(all.length - 1, Math.floor((x - chart.x) / wide)))], 50);
     const [x, floor] = [chart.x + (all.indexOf(tolerance) + 0.5) * wide, chart.y + chart.height];
-    const holds = { tolerance: { x, y: floor + 28, to }, feed: { x, y: floor - (chart.height * took) / most, to: ({ dy, start }) => start + dy / 5 } };
+    const holds = { tolerance: { x, y: floor + 28, to }, feed: { x, y: floor - (chart.height * took) / most, to: (/** @type {Drag} */ { dy, start }) => start + dy / 5 } };
     return [compared(all, tolerance, code, most, chart), chart.y + chart.height + 42, html`±${mils(tolerance)} in: <b>${blocks} blocks</b>, reading ${minutes(reading)} + cutting ${minutes(milling)} = <b>${minutes(took)}</b>.`, holds];
   });
 }
 
-function said({ blocks }, { outer, inner }, tolerance) {
+function said(/** @type {Made} */ { blocks }, /** @type {Walls} */ { outer, inner }, /** @type {number} */ tolerance) {
   const tenth = STATIONS / 9, middle = STATIONS / 2, five = STATIONS / 18;
   const furthest = Math.max(...[outer, inner].map((errors) => errors.reduce((most, error) => Math.max(most, Math.abs(error) || 0), 0)));
   const diagonal = Math.max(...[outer, inner].map((errors) => troughToPeak(errors.subarray(middle - five, middle + five))));
@@ -52,7 +52,7 @@ function said({ blocks }, { outer, inner }, tolerance) {
   return html`<b>${blocks} blocks</b>. The wall is at most <b>${mils(furthest, 4)} in</b> off; promised are ${mils(tolerance + 1)}. Trough to peak it is ${mils(apex, 4)} near the top, ${mils(diagonal, 4)} at 45°.`;
 }
 
-function pictured({ way }, cutter, tolerance, place, whole, close) {
+function pictured(/** @type {Made} */ { way }, /** @type {number} */ cutter, /** @type {number} */ tolerance, /** @type {number} */ place, /** @type {Box} */ whole, /** @type {Box} */ close) {
   const at = onCircle(180 - place);
   const outward = { x: (at.x - CENTRE) / RADIUS, y: (at.y - CENTRE) / RADIUS };
   const room = 320;
@@ -61,15 +61,15 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   const groove = far.line(way, `class="groove" style="stroke-width:${2 * radius * far.sx}"`);
   const half = Math.max(4 * tolerance, 0.7 * longest(around(way, at, 10 * tolerance)));
   const near = new View({ left: at.x - half, right: at.x + half, bottom: at.y - half, top: at.y + half }, close);
-  const ring = (off, attributes) => near.circle({ ...CIRCLE, radius: RADIUS + off }, attributes);
+  const ring = (/** @type {number} */ off, /** @type {string} */ attributes) => near.circle({ ...CIRCLE, radius: RADIUS + off }, attributes);
   const seen = around(way, at, 3 * half);
   const drawn = ring(0, `class="ring" style="stroke-width:${2 * tolerance * near.sx}"`) + ring(tolerance, 'class="limit"') + ring(-tolerance, 'class="limit"') + ring(0, 'class="intended"') + near.line(seen, 'class="way"') + seen.map((stop) => near.dot(stop, 3.2, 'class="stop"')).join("");
   const times = Math.round(near.sx / far.sx);
   const aside = radius * far.sx + RIM;
   const holds = {
-    cutter: { x: far.x(at.x) - outward.x * aside, y: far.y(at.y) + outward.y * aside, to: ({ x, y }) => ((Math.hypot(x - far.x(at.x), y - far.y(at.y)) - RIM) / far.sx) * (32 / 1000) },
-    place: { x: far.x(at.x), y: far.y(at.y), to: ({ x, y }) => (Math.atan2(far.y(CENTRE) - y, far.x(CENTRE) - x) * 180) / Math.PI },
-    tolerance: { x: near.x(at.x) + outward.x * tolerance * near.sx, y: near.y(at.y) - outward.y * tolerance * near.sy, to: ({ dx, dy, start }) => start + (dx * outward.x - dy * outward.y) / 3 },
+    cutter: { x: far.x(at.x) - outward.x * aside, y: far.y(at.y) + outward.y * aside, to: (/** @type {Place} */ { x, y }) => ((Math.hypot(x - far.x(at.x), y - far.y(at.y)) - RIM) / far.sx) * (32 / 1000) },
+    place: { x: far.x(at.x), y: far.y(at.y), to: (/** @type {Place} */ { x, y }) => (Math.atan2(far.y(CENTRE) - y, far.x(CENTRE) - x) * 180) / Math.PI },
+    tolerance: { x: near.x(at.x) + outward.x * tolerance * near.sx, y: near.y(at.y) - outward.y * tolerance * near.sy, to: (/** @type {Drag} */ { dx, dy, start }) => start + (dx * outward.x - dy * outward.y) / 3 },
   };
   return [
     text(whole.x, whole.y - 6, "the cut, and the cutter", 'class="small"') + clipped(whole, groove + far.line(way, 'class="way"') + far.circle({ ...at, radius }, 'class="tool"') + far.dot(at, 2.5, 'class="stop"')) + rect(whole, 'class="frame"') +
@@ -78,13 +78,13 @@ function pictured({ way }, cutter, tolerance, place, whole, close) {
   ];
 }
 
-function longest(way) {
+function longest(/** @type {Place[]} */ way) {
   return Math.max(0, ...way.slice(1).map(({ x, y }, index) => Math.abs(x - way[index].x) + Math.abs(y - way[index].y)));
 }
 
 /** The part of a way that is near a place, with a stop more at each end. */
-function around(way, at, reach) {
-  const passes = ({ x, y }, index) => {
+function around(/** @type {Place[]} */ way, /** @type {Place} */ at, /** @type {number} */ reach) {
+  const passes = (/** @type {Place} */ { x, y }, /** @type {number} */ index) => {
     const from = way[Math.max(0, index - 1)];
     return Math.min(x, from.x) < at.x + reach && Math.max(x, from.x) > at.x - reach && Math.min(y, from.y) < at.y + reach && Math.max(y, from.y) > at.y - reach;
   };
@@ -92,9 +92,9 @@ function around(way, at, reach) {
   return first < 0 ? [] : way.slice(Math.max(0, first - 1), way.findLastIndex(passes) + 1);
 }
 
-function unrolled({ way }, { outer, inner }, tolerance, place, box) {
+function unrolled(/** @type {Made} */ { way }, /** @type {Walls} */ { outer, inner }, /** @type {number} */ tolerance, /** @type {number} */ place, /** @type {Box} */ box) {
   const flat = way.map(({ x, y }) => ({ x: (Math.PI - Math.atan2(y - CENTRE, x - CENTRE)) * RADIUS, y: Math.hypot(x - CENTRE, y - CENTRE) - RADIUS }));
-  const wall = (errors) => Array.from(errors, (error, station) => ({ x: (ARC * station) / STATIONS, y: error })).filter(({ y }) => !Number.isNaN(y));
+  const wall = (/** @type {ArrayLike<number>} */ errors) => Array.from(errors, (error, station) => ({ x: (ARC * station) / STATIONS, y: error })).filter(({ y }) => !Number.isNaN(y));
   const reach = 1.7 * tolerance + 1;
   const times = Math.round(box.height / (2 * reach) / (box.width / ARC));
   const at = box.x + (box.width * place) / 90;
@@ -106,10 +106,10 @@ function unrolled({ way }, { outer, inner }, tolerance, place, box) {
 }
 
 /** Minutes for each tolerance: the reading below, the cutting above it. */
-function compared(all, tolerance, code, most, box) {
+function compared(/** @type {number[]} */ all, /** @type {number} */ tolerance, /** @type {number} */ code, /** @type {number} */ most, /** @type {Box} */ box) {
   const made = all.map((each) => quarter(each, code));
   const wide = box.width / all.length;
-  const up = (value) => (box.height * value) / most;
+  const up = (/** @type {number} */ value) => (box.height * value) / most;
   const bars = made.map(({ reading, milling, blocks }, n) => {
     const x = box.x + n * wide + wide * 0.12, width = wide * 0.76, floor = box.y + box.height;
     const now = all[n] === tolerance ? " now" : "";

@@ -22,24 +22,24 @@ export function roundness() {
     const content = rings(width / 2, height / 2, mean, scale, height) + trace(wall.outer, width, height, mean, scale, "outer") + trace(wall.inner, width, height, mean, scale, "inner") + places(wall, width, height);
     const ring = 5 * scale + mean;
     const holds = {
-      times: { x: width / 2 + ring * ASLANT, y: height / 2 - ring * ASLANT, to: ({ dx, dy, start }) => start + ((dx - dy) * ASLANT * PAPER) / (5 * height) },
-      cutter: { x: width / 2 - height * WORK, y: height / 2, to: ({ dx, start }) => start + dx / 4 },
+      times: { x: width / 2 + ring * ASLANT, y: height / 2 - ring * ASLANT, to: (/** @type {Drag} */ { dx, dy, start }) => start + ((dx - dy) * ASLANT * PAPER) / (5 * height) },
+      cutter: { x: width / 2 - height * WORK, y: height / 2, to: (/** @type {Drag} */ { dx, start }) => start + dx / 4 },
     };
     return [clipped({ x: 0, y: 0, width, height }, content + plan(width, height, cutter)), height, said(wall, closed), holds];
   });
 }
 
 /** The work from above, in the middle: the groove and the cutter where it begins. */
-function plan(width, height, cutter) {
+function plan(/** @type {number} */ width, /** @type {number} */ height, /** @type {number} */ cutter) {
   const radius = height * WORK;
   const size = (cutter * 1000 * radius) / 32 / RADIUS;
-  const circle = (x, r, attributes) => `<circle cx="${x.toFixed(1)}" cy="${height / 2}" r="${r.toFixed(1)}" ${attributes}/>`;
+  const circle = (/** @type {number} */ x, /** @type {number} */ r, /** @type {string} */ attributes) => `<circle cx="${x.toFixed(1)}" cy="${height / 2}" r="${r.toFixed(1)}" ${attributes}/>`;
   const groove = circle(width / 2, radius, `class="groove" style="stroke-width:${2 * size}"`);
   const walls = circle(width / 2, radius + size, 'class="outer"') + circle(width / 2, radius - size, 'class="inner"');
   return groove + walls + circle(width / 2 - radius, size, 'class="tool"');
 }
 
-function rings(x, y, mean, scale, height) {
+function rings(/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ mean, /** @type {number} */ scale, /** @type {number} */ height) {
   const rings_ = [];
   for (let off = -20; off <= 20; off++) {
     const radius = mean + off * scale;
@@ -49,7 +49,7 @@ function rings(x, y, mean, scale, height) {
   return rings_.join("");
 }
 
-function trace(errors, width, height, mean, scale, name) {
+function trace(/** @type {Float64Array} */ errors, /** @type {number} */ width, /** @type {number} */ height, /** @type {number} */ mean, /** @type {number} */ scale, /** @type {string} */ name) {
   let d = "";
   let down = false;
   for (let station = 0; station <= errors.length; station += 12) {
@@ -65,18 +65,18 @@ function trace(errors, width, height, mean, scale, name) {
 }
 
 /** The error that is furthest from 0: a peak must not be lost between two points of the drawing. */
-function extreme(errors) {
+function extreme(/** @type {Float64Array} */ errors) {
   return errors.reduce((most, error) => (Math.abs(error) > Math.abs(most) ? error : most), errors[0]);
 }
 
-function readingAt(errors, degrees, reach) {
+function readingAt(/** @type {Float64Array} */ errors, /** @type {number} */ degrees, /** @type {number} */ reach) {
   const [from, to] = [degrees - reach, degrees + reach].map((angle) => Math.round((angle * errors.length) / 360));
   const seen = [];
   for (let station = from; station <= to; station++) seen.push(errors[(station + errors.length) % errors.length]);
   return troughToPeak(seen);
 }
 
-function places({ outer, inner }, width, height) {
+function places(/** @type {Walls} */ { outer, inner }, /** @type {number} */ width, /** @type {number} */ height) {
   const far = height * 0.46;
   return PLACES.map(([, angle, reach]) => {
     const turn = (angle * Math.PI) / 180;
@@ -85,8 +85,8 @@ function places({ outer, inner }, width, height) {
   }).join("");
 }
 
-function said({ outer, inner }, closed) {
-  const at = (angle, reach) => Math.max(readingAt(outer, angle, reach), readingAt(inner, angle, reach));
+function said(/** @type {Walls} */ { outer, inner }, /** @type {boolean} */ closed) {
+  const at = (/** @type {number} */ angle, /** @type {number} */ reach) => Math.max(readingAt(outer, angle, reach), readingAt(inner, angle, reach));
   const diagonals = Math.max(...[45, 135, 225, 315].map((angle) => at(angle, 5)));
   const start = `${mils(at(180, 10), 4)} in at −X, ${closed ? "where it starts and ends" : "where the last cut is missing"}`;
   return html`Trough to peak: <b>${mils(at(90, 10), 4)} in</b> at +Y and −Y; <b>${start}</b>; at most ${mils(diagonals, 4)} at 45°. The thesis measured .009 at the axes and about .001 at 45°.`;

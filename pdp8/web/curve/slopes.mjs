@@ -11,14 +11,14 @@ const [FROM, TO] = SLOPE;
 const BAND = 5;
 
 /** A slope from A to B: its length; a place as its band's, how far along it and how far off to its left; and back. */
-function sloping(to) {
+function sloping(/** @type {Place} */ to) {
   const length = Math.hypot(to.x - FROM.x, to.y - FROM.y);
   const [east, north] = [(to.x - FROM.x) / length, (to.y - FROM.y) / length]; // of a step along it
   return {
     to,
     length,
-    beside: ({ x, y }) => ({ x: (x - FROM.x) * east + (y - FROM.y) * north, y: (y - FROM.y) * east - (x - FROM.x) * north }),
-    at: (along, off = 0) => ({ x: FROM.x + along * east - off * north, y: FROM.y + along * north + off * east }),
+    beside: (/** @type {Place} */ { x, y }) => ({ x: (x - FROM.x) * east + (y - FROM.y) * north, y: (y - FROM.y) * east - (x - FROM.x) * north }),
+    at: (/** @type {number} */ along, off = 0) => ({ x: FROM.x + along * east - off * north, y: FROM.y + along * north + off * east }),
   };
 }
 
@@ -26,7 +26,7 @@ const CHAPTER_3 = sloping(TO);
 const { at, beside, length: LENGTH } = CHAPTER_3;
 
 /** How far the furthest place of a way is from the slope; with that place. */
-function furthest(way, line = CHAPTER_3) {
+function furthest(/** @type {Place[]} */ way, line = CHAPTER_3) {
   const offs = way.map((place) => Math.abs(line.beside(place).y));
   const worst = Math.max(...offs);
   return { worst, where: way[offs.indexOf(worst)] };
@@ -34,17 +34,17 @@ function furthest(way, line = CHAPTER_3) {
 
 /** Where the slope stands, and how high the drawing is.
  * @returns {[View, number]} */
-function plan(width, right = TO.x, top = TO.y) {
+function plan(/** @type {number} */ width, right = TO.x, top = TO.y) {
   const height = Math.round(Math.min(330, width * 0.56));
   const room = width / 30 + 14;
   return [new View({ left: FROM.x, right, bottom: FROM.y, top }, { x: room, y: room, width: width - 2 * room, height: height - 2 * room }), height];
 }
 
-function ends(view, to = TO) {
+function ends(/** @type {View} */ view, /** @type {Place} */ to = TO) {
   return view.line([FROM, to], 'class="intended"') + named(view, FROM, "A", -14, 14) + named(view, to, "B", 6, -4);
 }
 
-function named(view, place, name, dx, dy) {
+function named(/** @type {View} */ view, /** @type {Place} */ place, /** @type {string} */ name, /** @type {number} */ dx, /** @type {number} */ dy) {
   return view.dot(place, 3.2, 'class="stop"') + text(view.x(place.x) + dx, view.y(place.y) + dy, name, 'class="name"');
 }
 
@@ -57,34 +57,34 @@ export function one() {
   return new Figure("one", ({ pair, error }, width) => {
     const [view, height] = plan(width);
     const { x, y, angle } = PAIRS[pair];
-    const cut = (by) => made("pieces", 1, x, y, by / 100, -by / 100).way;
+    const cut = (/** @type {number} */ by) => made("pieces", 1, x, y, by / 100, -by / 100).way;
     const way = cut(error);
     const cone = view.line([FROM, cut(20)[1], TO, cut(-20)[1]], 'class="cone"', true);
     const { worst, where } = furthest(way);
     const leaves = Math.atan2(way[1].y - FROM.y, way[1].x - FROM.x);
     const miss = worst < 0.5 ? "" : view.line([where, at(beside(where).x)], 'class="miss"');
     const content = cone + ends(view) + miss + (error ? view.line([FROM, cut(0)[1]], 'class="way thin"') : "") + view.line(way, 'class="way"');
-    const aimed = (place) => Math.atan2(view.y(FROM.y) - place.y, Math.max(1, place.x - view.x(FROM.x)));
+    const aimed = (/** @type {Place} */ place) => Math.atan2(view.y(FROM.y) - place.y, Math.max(1, place.x - view.x(FROM.x)));
     const holds = {
-      pair: { x: view.x(FROM.x + 2400 * Math.cos(angle)), y: view.y(FROM.y + 2400 * Math.sin(angle)), to: (place) => nearest(aimed(place)) },
-      error: { x: view.x(way[1].x), y: view.y(way[1].y), to: (place) => wrong(Math.tan(angle) / Math.tan(Math.max(0.01, aimed(place)))) },
+      pair: { x: view.x(FROM.x + 2400 * Math.cos(angle)), y: view.y(FROM.y + 2400 * Math.sin(angle)), to: (/** @type {Place} */ place) => nearest(aimed(place)) },
+      error: { x: view.x(way[1].x), y: view.y(way[1].y), to: (/** @type {Place} */ place) => wrong(Math.tan(angle) / Math.tan(Math.max(0.01, aimed(place)))) },
     };
     return [content, height, html`It leaves A at <b>${((leaves * 180) / Math.PI).toFixed(1)}°</b>; the slope is 30.0°. When one axis has arrived it is <b>${inch(worst)}</b> off; then the other goes on alone.`, holds];
-  }, { pair: (number) => [PAIRS[number].x, PAIRS[number].y].map((code) => XY_FEED.at(code).toFixed(1)).join(" over ") });
+  }, { pair: (/** @type {number} */ number) => [PAIRS[number].x, PAIRS[number].y].map((code) => XY_FEED.at(code).toFixed(1)).join(" over ") });
 }
 
 /** The pair of feeds that goes nearest to an angle. */
-function nearest(aimed) {
+function nearest(/** @type {number} */ aimed) {
   return PAIRS.reduce((best, { angle }, n) => (Math.abs(angle - aimed) < Math.abs(PAIRS[best].angle - aimed) ? n : best), 0);
 }
 
 /** By how many percent X is too fast and Y too slow, if X over Y is so many times what it should be. */
-const wrong = (times) => (100 * (times - 1)) / (times + 1);
+const wrong = (/** @type {number} */ times) => (100 * (times - 1)) / (times + 1);
 
-export function piecewise({ fewest: frames }) {
+export function piecewise(/** @type {any} */ { fewest: frames }) {
   return new Figure("piecewise", ({ pieces: asked, error, fewest: proved }, width) => {
     const [view, height] = plan(width);
-    const cut = (by) => (proved ? made("fewest", frames, by / 100, -by / 100) : made("pieces", asked, 2, 1, by / 100, -by / 100));
+    const cut = (/** @type {number} */ by) => (proved ? made("fewest", frames, by / 100, -by / 100) : made("pieces", asked, 2, 1, by / 100, -by / 100));
     const { way, stops, minutes: took } = cut(error);
     const count = proved ? stops.length : asked;
     const dots = count < 60 ? stops.map((place) => view.dot(place, 3, 'class="stop"')).join("") : "";
@@ -96,15 +96,15 @@ export function piecewise({ fewest: frames }) {
     const inside = worst <= BAND;
     const middle = flat.filter(({ x }) => Math.abs(x - LENGTH / 2) <= LENGTH / count);
     const bend = middle.reduce((most, place) => (Math.abs(place.y) > Math.abs(most.y) ? place : most));
-    const next = stops.find(({ x }) => x > FROM.x);
-    const holds = { error: { x: box.x + (box.width * bend.x) / LENGTH, y: box.y + (box.height / 2) * (1 - bend.y / reach), to: ({ dy, start }) => start + dy / 2 } };
-    if (!proved) holds.pieces = { x: view.x(next.x), y: view.y(next.y), to: ({ x, y }) => grownBack(LENGTH / Math.max(1, beside(view.place(x, y)).x), 250) };
+    const next = /** @type {Place} */ (stops.find(({ x }) => x > FROM.x));
+    const holds = /** @type {Record<string, unknown>} */ ({ error: { x: box.x + (box.width * bend.x) / LENGTH, y: box.y + (box.height / 2) * (1 - bend.y / reach), to: (/** @type {Drag} */ { dy, start }) => start + dy / 2 } });
+    if (!proved) holds.pieces = { x: view.x(next.x), y: view.y(next.y), to: (/** @type {Place} */ { x, y }) => grownBack(LENGTH / Math.max(1, beside(view.place(x, y)).x), 250) };
     const verdict = inside ? html`<b class="good">inside the band</b>` : html`<b class="bad">outside the band</b>`;
     return [content, box.y + box.height + 8, html`${count} ${count === 1 ? "piece" : "pieces"}: at most <b>${inch(worst)}</b> off, ${verdict} of ±.005 in; ${minutes(took)}.`, holds];
-  }, { pieces: (count, { fewest: proved }) => (proved ? "as proved" : String(count)) });
+  }, { pieces: (/** @type {number} */ count, /** @type {any} */ { fewest: proved }) => (proved ? "as proved" : String(count)) });
 }
 
-function title(box, reach, length = LENGTH) {
+function title(/** @type {Box} */ box, /** @type {number} */ reach, length = LENGTH) {
   const times = Math.round(box.height / (2 * reach) / (box.width / length));
   return text(box.x, box.y - 7, `the band made straight${times > 1 ? `, its height ${times} times as large` : ""}`, 'class="small"');
 }
@@ -124,8 +124,8 @@ export function stepwise() {
     const content = view.line([...left, ...right.toReversed()], 'class="band"', true) + sides + ends(view, to) + view.line(way, 'class="way"') + names + title(box, reach, length) + straightened(box, length, tolerance, reach, [[way.map(line.beside), "way"]]);
     const edge = line.at(length / 3, tolerance);
     const holds = {
-      tolerance: { x: view.x(edge.x), y: view.y(edge.y), to: ({ dy, start }) => start - dy / 3 },
-      angle: { x: view.x(to.x), y: view.y(to.y), to: ({ x, y }) => (Math.atan2(view.y(FROM.y) - y, x - view.x(FROM.x)) * 180) / Math.PI },
+      tolerance: { x: view.x(edge.x), y: view.y(edge.y), to: (/** @type {Drag} */ { dy, start }) => start - dy / 3 },
+      angle: { x: view.x(to.x), y: view.y(to.y), to: (/** @type {Place} */ { x, y }) => (Math.atan2(view.y(FROM.y) - y, x - view.x(FROM.x)) * 180) / Math.PI },
     };
     return [content, box.y + box.height + 8, html`<b>${blocks - 6} blocks</b> and the six that open the tape. Reading them takes ${minutes(reading)}, cutting ${minutes(milling)}: <b>${minutes(took)}</b>. Furthest off: ${inch(furthest(way, line).worst)}.`, holds];
   });

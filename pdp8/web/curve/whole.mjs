@@ -10,8 +10,8 @@ import { clipped, rect, text, View } from "../svg.mjs";
 const CUTTER = 250; // its radius
 const TAKES = 20; // seconds in which the whole is played
 
-export function whole(button) {
-  const clock = (part) => `${((clocked().before.at(-1) * part) / 1000 / 60).toFixed(1)} min`;
+export function whole(/** @type {HTMLButtonElement} */ button) {
+  const clock = (/** @type {number} */ part) => `${((clocked().before.at(-1) * part) / 1000 / 60).toFixed(1)} min`;
   const figure = new Figure("whole", ({ time }, width) => picture(clocked(), time / 1000, width), { time: clock });
   playing(figure, button);
   return figure;
@@ -21,14 +21,14 @@ export function whole(button) {
 function clocked() {
   const circle = made("circle", 5, false);
   let now = 0;
-  circle.first = circle.steps.findIndex(({ mills }) => mills);
-  circle.before = [0, ...circle.steps.map(({ seconds }, at) => (now += at < circle.first ? 0 : circle.read + seconds))];
-  return circle;
+  const first = circle.steps.findIndex(({ mills }) => mills);
+  const before = [0, ...circle.steps.map(({ seconds }, at) => (now += at < first ? 0 : circle.read + seconds))];
+  return { ...circle, first, before };
 }
 
 /** Let a button move the slider; where motion is not wanted, a minute a press. */
-function playing(figure, button) {
-  const go = (by) => {
+function playing(/** @type {import("./drawing.mjs").Figure} */ figure, /** @type {HTMLButtonElement} */ button) {
+  const go = (/** @type {number} */ by) => {
     const part = Math.min(1000, figure.values.time + by);
     figure.set("time", part);
     if (part === 1000) stop();
@@ -49,7 +49,7 @@ function playing(figure, button) {
   figure.inputs[0].addEventListener("pointerdown", stop);
 }
 
-function picture({ steps, read: reads, way, before, first }, part, width) {
+function picture(/** @type {ReturnType<typeof clocked>} */ { steps, read: reads, way, before, first }, /** @type {number} */ part, /** @type {number} */ width) {
   const now = before.at(-1) * part;
   const height = Math.min(460, Math.round(width * 0.8) + 64);
   const box = { x: 0, y: 0, width, height: height - 64 };
@@ -72,7 +72,7 @@ function picture({ steps, read: reads, way, before, first }, part, width) {
   const bars = bar(width, height - 50, "reading", read) + bar(width, height - 24, "cutting", cutting);
   const blocks = last - first;
   const said = html`Block <b>${Math.min(last + 1, steps.length)}</b> of ${steps.length}. Of ${minutes((read + cutting) / 60)} the reader took ${minutes(read / 60)} (${blocks} blocks of 2 s), the cutter ${minutes(cutting / 60)}: it cut <b>${read + cutting ? Math.round((100 * cutting) / (read + cutting)) : 0} %</b> of the time.`;
-  const dragged = ({ x, y }) => {
+  const dragged = (/** @type {Place} */ { x, y }) => {
     const turned = (Math.atan2(view.y(CENTRE) - y, view.x(CENTRE) - x) + 2 * Math.PI) % (2 * Math.PI);
     const reached = steps.findIndex((stop, n) => n >= first && (Math.atan2(stop.y - CENTRE, CENTRE - stop.x) + 2 * Math.PI) % (2 * Math.PI) >= turned);
     return (1000 * before[reached < 0 ? steps.length : reached]) / before.at(-1);
@@ -80,17 +80,17 @@ function picture({ steps, read: reads, way, before, first }, part, width) {
   return [clipped(box, content) + digits + bars, height, said, { time: { x: view.x(tip.x), y: view.y(tip.y), to: dragged } }];
 }
 
-function between(from, to, part) {
+function between(/** @type {Place} */ from, /** @type {Place} */ to, /** @type {number} */ part) {
   return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
 }
 
 /** Seconds of reading and of milling so far. */
-function spent(reads, before, first, last, into) {
+function spent(/** @type {number} */ reads, /** @type {number[]} */ before, /** @type {number} */ first, /** @type {number} */ last, /** @type {number} */ into) {
   const read = (last - first) * reads + Math.min(into, reads);
   return [read, before[last] + into - read];
 }
 
-function bar(width, y, name, seconds) {
+function bar(/** @type {number} */ width, /** @type {number} */ y, /** @type {string} */ name, /** @type {number} */ seconds) {
   const room = width - 150;
   const long = (room * seconds) / 60 / 24;
   return text(0, y + 13, name, `class="small t-${name}"`) + rect({ x: 62, y, width: long, height: 17 }, `class="${name}"`) + text(68 + long, y + 13, minutes(seconds / 60), 'class="small"');

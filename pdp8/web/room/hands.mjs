@@ -10,41 +10,42 @@ function buttons() {
   return html`<div role="toolbar" aria-label="Switch register">${rockers}</div><div role="toolbar" aria-label="Keys">${KEYS.map(key)}</div>`;
 }
 
-const SHORTCUTS = { start: "S", "load add": "L", dep: "D", exam: "E", cont: "C", stop: "T" };
+/** @type {Record<string, string>} */ const SHORTCUTS = { start: "S", "load add": "L", dep: "D", exam: "E", cont: "C", stop: "T" };
 
-function key(name) {
+function key(/** @type {string} */ name) {
   const role = SHORTCUTS[name] ? html`aria-keyshortcuts="${SHORTCUTS[name]}"` : html`role="switch" aria-checked="false"`;
   return html`<button class="key" data-click="switches.key" data-key="${name}" ${role} aria-label="${name.toUpperCase()}"></button>`;
 }
 
 export class Hands {
-  constructor(place) {
+  constructor(/** @type {HTMLElement} */ place) {
     this.place = place;
+    this.set = "";
     put(place, buttons());
     this.buttons = [...place.querySelectorAll("button")];
-    for (const row of place.children) rove(row);
+    for (const row of place.children) rove(/** @type {HTMLElement} */ (row));
   }
 
   /** Lay them over the panel as it is `shown`: all of it, or its parts. */
-  lay(shown) {
+  lay(/** @type {Shown} */ shown) {
     this.buttons.forEach((button, index) => {
       const { x, y, w, h } = within(shown, SWITCHES[index]);
       const part = { left: x / shown.w, top: y / shown.h, width: w / shown.w, height: h / shown.h };
-      for (const [side, share] of Object.entries(part)) button.style[side] = `${(100 * share).toFixed(2)}%`;
+      for (const [side, share] of Object.entries(part)) button.style.setProperty(side,  `${(100 * share).toFixed(2)}%`);
     });
   }
 
   /** Mark what is to be touched: a key, or bits of the register. */
-  due(due, bits) {
+  due(/** @type {string | null} */ due, /** @type {number} */ bits) {
     this.buttons.forEach(({ dataset }, index, all) => (all[index].ariaCurrent = (dataset.key ? dataset.key === due : bits & (0o4000 >> index)) ? "step" : null));
   }
 
   /** Say how the switches stand. */
-  mark({ sr, mem_prot: protection, sing_step: step }) {
+  mark(/** @type {Processor} */ { sr, mem_prot: protection, sing_step: step }) {
     const set = `${sr} ${protection} ${step}`;
     if (set === this.set) return;
     this.set = set;
-    const down = { "mem prot": protection, "sing step": step };
+    /** @type {Record<string, number>} */ const down = { "mem prot": protection, "sing step": step };
     this.buttons.forEach((button, index) => {
       const { key: name } = button.dataset;
       if (button.role === "switch") button.ariaChecked = String(Boolean(name ? down[name] : sr & (0o4000 >> index)));

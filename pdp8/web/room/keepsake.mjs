@@ -9,13 +9,13 @@ const [LEAST, MOST] = [44, 60]; // rows that are shown, with those that are blan
 const END = 0.1; // inches of paper before the first row and after the last one
 
 /** The picture of the last of these frames, which say `made`. */
-export function keepsake(frames, made) {
+export function keepsake(/** @type {Bytes} */ frames, /** @type {any} */ made) {
   const blank = Array.from({ length: Math.max(4, Math.ceil((LEAST - frames.length) / 2)) }, () => 0);
   const rows = [...blank, ...frames.slice(-MOST), ...blank];
   const long = (rows.length - 1) * PITCH + 2 * END;
   const scale = Math.min(260, (W - 80) / long);
   const [left, top] = [(W - long * scale) / 2, 330 - scale / 2];
-  const label = (c, text, x, y, size, colour = "#c9bca4") => words(c, text, x, y, size, { align: "center", colour, spread: 0.04 });
+  const label = (/** @type {Canvas} */ c, /** @type {string} */ text, /** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ size, colour = "#c9bca4") => words(c, text, x, y, size, { align: "center", colour, spread: 0.04 });
   // a tape is drawn upright, and the picture of it turned
   const strip = sheet(1.1, long, scale, (c) => drawTape(c, { x: 0, head: END, from: 0, until: long, way: -1, lift: 0.04 }, { frames: rows, code: ASCII, at: 0 }));
   return sheet(W, H, 1, (c) => {

@@ -8,17 +8,17 @@ const CENTRE = { x: 9.5, y: 7 };
 const WIDE = 8.8; // inches that the plate takes
 export const TILT = 0.62; // how much of its height a plate keeps, seen from before and above; 1: from above
 
-export function drawMill(c) {
+export function drawMill(/** @type {Canvas} */ c) {
   box(c, 0, 0, MILL.w, MILL.h, 0.3, shade(c, 0, 12, ["#20262a", "#2a3236", "#171b1d"]), 1.2);
 }
 
 /** How many inches of the room are a thousandth on a plate of that size. */
-export function fitted({ left, right, bottom, top }) {
+export function fitted(/** @type {Bounds} */ { left, right, bottom, top }) {
   return WIDE / Math.max(right - left, top - bottom);
 }
 
 /** Let places be those on the plate, in thousandths, Y up; `place` is under the spindle. */
-export function lay(c, fit, place, tilt) {
+export function lay(/** @type {Canvas} */ c, /** @type {number} */ fit, /** @type {Place} */ place, /** @type {number} */ tilt) {
   c.translate(CENTRE.x, CENTRE.y);
   c.scale(fit, -fit * tilt);
   c.translate(-place.x, -place.y);
@@ -27,7 +27,7 @@ export function lay(c, fit, place, tilt) {
 /** The table under the plate, with its slots, and the plate's edge; `above` is how far it is seen from above, 0 to 1.
  *  Places are those on the plate.
  */
-export function drawTable(c, { left, right, bottom, top }, above) {
+export function drawTable(/** @type {Canvas} */ c, /** @type {Bounds} */ { left, right, bottom, top }, /** @type {number} */ above) {
   const [w, h] = [right - left, top - bottom];
   slab(c, left - 3 * w, bottom - h * 0.32, 7 * w, h * 1.64, w * 0.03 * (1 - above), "#33393c", "#15191b");
   c.fillStyle = "rgba(0,0,0,.45)";
@@ -39,7 +39,7 @@ export function drawTable(c, { left, right, bottom, top }, above) {
   c.fillRect(left, bottom, w, h * 0.008);
 }
 
-function slab(c, x, y, w, h, thick, colour, edge) {
+function slab(/** @type {Canvas} */ c, /** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ w, /** @type {number} */ h, /** @type {number} */ thick, /** @type {string} */ colour, /** @type {string} */ edge) {
   c.fillStyle = edge;
   c.fillRect(x, y - thick, w, thick + 1);
   c.fillStyle = colour;
@@ -47,12 +47,12 @@ function slab(c, x, y, w, h, thick, colour, edge) {
 }
 
 /** The ideal curve over what was milled, called `name`, and a ruler in inches below it and at its left, to eighths. */
-export function drawMeasured(c, ideal, name) {
+export function drawMeasured(/** @type {Canvas} */ c, /** @type {[number, number][]} */ ideal, /** @type {string} */ name) {
   const [xs, ys] = [0, 1].map((axis) => ideal.map((point) => point[axis]));
   const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const [width, height, x, y] = [right - left, top - bottom, (left + right) / 2, (bottom + top) / 2];
   const size = Math.max(width, height) / 24; // of the letters
-  const label = (text, lx, ly, colour, larger = 1) => {
+  const label = (/** @type {string} */ text, /** @type {number} */ lx, /** @type {number} */ ly, /** @type {string} */ colour, larger = 1) => {
     c.save();
     c.translate(lx, ly);
     c.scale(size, -size);
@@ -81,7 +81,7 @@ export function drawMeasured(c, ideal, name) {
 }
 
 /** A cutter of `radius` inches from above, down or up, turned so many times. */
-export function drawCutter(c, radius, down, turns) {
+export function drawCutter(/** @type {Canvas} */ c, /** @type {number} */ radius, /** @type {boolean} */ down, /** @type {number} */ turns) {
   const { x, y } = CENTRE;
   c.save();
   c.translate(x, y);
@@ -93,7 +93,7 @@ export function drawCutter(c, radius, down, turns) {
 }
 
 /** The far end of the light. */
-export function drawDusk(c) {
+export function drawDusk(/** @type {Canvas} */ c) {
   const dusk = c.createRadialGradient(CENTRE.x, CENTRE.y, 3.4, CENTRE.x, 6.4, 11.5);
   dusk.addColorStop(0, "rgba(10,11,12,0)");
   dusk.addColorStop(1, "rgba(10,11,12,.86)");
@@ -102,7 +102,7 @@ export function drawDusk(c) {
 }
 
 /** The spindle with a cutter of `radius` inches, down or up, turned so many times; `up` is how far all of it is lifted away. */
-export function drawSpindle(c, radius, down, turns, up) {
+export function drawSpindle(/** @type {Canvas} */ c, /** @type {number} */ radius, /** @type {boolean} */ down, /** @type {number} */ turns, /** @type {number} */ up) {
   const { x, y } = CENTRE;
   const tip = y + (down ? 0.12 : -0.9) - up;
   c.fillStyle = `rgba(0,0,0,${0.4 / (1 + up)})`;
@@ -110,7 +110,7 @@ export function drawSpindle(c, radius, down, turns, up) {
   if (down) c.ellipse(x + radius * 0.5, y + 0.1, radius * 1.5, radius * 0.7, 0, 0, 7);
   else c.ellipse(x + 0.35, y + 0.25, radius * 1.25, radius * 0.75, 0, 0, 7);
   c.fill();
-  const round = (half, ...colours) => shade(c, 0, 1, colours, [x - half, 0, x + half, 0]);
+  const round = (/** @type {number} */ half, /** @type {any[]} */ ...colours) => shade(c, 0, 1, colours, [x - half, 0, x + half, 0]);
   box(c, x - radius, tip - 2.2, 2 * radius, 2.2, [0, 0, radius * 0.5, radius * 0.5], round(radius, "#3a4042", "#e9eeee", "#7b8487", "#2c3133"));
   c.save();
   c.beginPath();
@@ -126,7 +126,7 @@ export function drawSpindle(c, radius, down, turns, up) {
     c.stroke();
   }
   c.restore();
-  const metal = (half) => round(half, "#2d3437", "#cfd6d7", "#8a9396", "#22282a");
+  const metal = (/** @type {number} */ half) => round(half, "#2d3437", "#cfd6d7", "#8a9396", "#22282a");
   box(c, x - 0.95, tip - 3.3, 1.9, 1.25, 0.1, metal(0.95));
   box(c, x - 1.25, tip - 3.9, 2.5, 0.75, 0.1, metal(1.25));
   box(c, x - 2.6, -2, 5.2, tip - 1.8, [0, 0, 0.4, 0.4], metal(2.6));

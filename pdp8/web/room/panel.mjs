@@ -14,15 +14,15 @@ export const KEYS = ["mem prot", "start", "load add", "dep", "exam", "cont", "st
 /** @type {any} */
 const ROWS = { ma: [2.3, "MEMORY ADDRESS"], mb: [3.5, "MEMORY BUFFER"], ac: [4.7, "ACCUMULATOR"] };
 const SIGNS = ["fetch", "defer", "execute", "word_count", "current_address", "break_", "ion", "parity", "protect", "run"];
-const NAMES = { word_count: "WORD COUNT", current_address: "CURR ADDR", break_: "BREAK" };
+/** @type {Record<string, string>} */ const NAMES = { word_count: "WORD COUNT", current_address: "CURR ADDR", break_: "BREAK" };
 const HIGH = 1.75; // of a switch with its legend
 const LEAST = 9; // pixels of a letter, if there is room
-const bit = (index) => 2.75 + index * 0.68 + Math.floor(index / 3) * 0.2;
-const key = (index) => 12.05 + index * 0.8;
+const bit = (/** @type {number} */ index) => 2.75 + index * 0.68 + Math.floor(index / 3) * 0.2;
+const key = (/** @type {number} */ index) => 12.05 + index * 0.8;
 const LIT = [...LAMPS.items()].flatMap(([field]) => lamps(field));
 
 /** The lamps of a field of Panel.lamps: [field, bit, x, y]. */
-function lamps(field) {
+function lamps(/** @type {string} */ field) {
   if (ROWS[field]) return Array.from({ length: 12 }, (_, index) => [field, index, bit(index), ROWS[field][0]]);
   if (field === "link") return [[field, 0, 1.7, ROWS.ac[0]]];
   if (field === "ir") return [0, 1, 2].map((index) => [field, index, 13 + index * 0.68, ROWS.ma[0]]);
@@ -62,14 +62,14 @@ const FORMS = [WHOLE, APART, LITTLE];
 
 const TOUCHED = 24.2 / 0.68; // pixels of an inch, so that a finger hits a switch
 const ENOUGH = 60; // and of one that nobody needs larger
-const seen = (form) => (form === WHOLE ? { w: 20.2, h: 10 } : form); // with what is around it
+const seen = (/** @type {Shown} */ form) => (form === WHOLE ? { w: 20.2, h: 10 } : form); // with what is around it
 
 /** How high the panel has to be in that form, where so much is wide. */
-export const least = (form, w) => seen(form).h * Math.min(TOUCHED, w / seen(form).w);
+export const least = (/** @type {Shown} */ form, /** @type {number} */ w) => seen(form).h * Math.min(TOUCHED, w / seen(form).w);
 
 /** How the panel is shown in a frame: so that a finger hits its switches, as large as may be, with little to scroll. */
-export function formed({ w, h }) {
-  const worth = (form) => {
+export function formed(/** @type {{ w: number; h: number }} */ { w, h }) {
+  const worth = (/** @type {Shown} */ form) => {
     const high = Math.max(h, least(form, w));
     const scale = Math.min(w / seen(form).w, high / seen(form).h);
     return Math.min(scale, TOUCHED) ** 2 * Math.min(scale, ENOUGH) * Math.sqrt(h / high) * (form === LITTLE ? 0.88 : 1);
@@ -78,7 +78,7 @@ export function formed({ w, h }) {
 }
 
 /** Let `draw` draw the panel as it is `shown`, piece by piece. */
-export function inPieces(c, shown, draw) {
+export function inPieces(/** @type {Canvas} */ c, /** @type {Shown} */ shown, /** @type {() => void} */ draw) {
   for (const { x, y, w, h, dx, dy } of shown.pieces) {
     c.save();
     if (shown !== WHOLE) {
@@ -93,8 +93,8 @@ export function inPieces(c, shown, draw) {
 }
 
 /** Where a place of the panel is in `shown`, WHOLE or APART. */
-export function within({ pieces }, { x, y, w, h }) {
-  const piece = pieces.find((each) => x >= each.x && x < each.x + each.w);
+export function within(/** @type {Shown} */ { pieces }, /** @type {Area} */ { x, y, w, h }) {
+  const piece = pieces.find((each) => x >= each.x && x < each.x + each.w) ?? pieces[0];
   return { x: x - piece.x + piece.dx, y: y - piece.y + piece.dy, w, h };
 }
 
@@ -106,7 +106,7 @@ export class Filaments {
   }
 
   /** Follow what some samples of the lamps say; `keep`, 0 to 1, is how much of its brightness a filament keeps. */
-  follow(samples, keep = 0) {
+  follow(/** @type {Lamps[]} */ samples, keep = 0) {
     this.moves = false;
     for (const [field, bits] of shares(samples).items()) {
       const before = this.lit.get(field) ?? bits;
@@ -119,7 +119,7 @@ export class Filaments {
   }
 }
 
-export function drawPanel(c) {
+export function drawPanel(/** @type {Canvas} */ c) {
   box(c, 0, 0, PANEL.w, PANEL.h, 0.22, shade(c, 0, 8.75, ["#4a443d", "#2c2823", "#1d1a17"]), 0.9);
   box(c, 0.22, 0.22, 18.56, 8.31, 0.12, shade(c, 0, 8.5, ["#161412", "#0c0b0a"]));
   box(c, 0.22, 5.72, 18.56, 2.81, 0.12, shade(c, 5.7, 8.5, ["#3a322a", "#29231d"]));
@@ -152,7 +152,7 @@ export function drawPanel(c) {
   });
 }
 
-function socket(c, x, y) {
+function socket(/** @type {Canvas} */ c, /** @type {number} */ x, /** @type {number} */ y) {
   c.fillStyle = "#2a211a";
   c.beginPath();
   c.arc(x, y, 0.15, 0, 7);
@@ -163,7 +163,7 @@ function socket(c, x, y) {
 }
 
 /** The lamps, as bright as `lit` says, and the switches; `pressed` is the name of a key that is held down. */
-export function drawLamps(c, lit, { sr, mem_prot: protection, sing_step: step }, pressed) {
+export function drawLamps(/** @type {Canvas} */ c, /** @type {Lit} */ lit, /** @type {Processor} */ { sr, mem_prot: protection, sing_step: step }, /** @type {string | null} */ pressed) {
   c.save();
   c.globalCompositeOperation = "lighter";
   for (const [field, index, x, y] of LIT) {
@@ -175,7 +175,7 @@ export function drawLamps(c, lit, { sr, mem_prot: protection, sing_step: step },
     c.drawImage(glow("hot"), x - 0.3, y - 0.3, 0.6, 0.6);
   }
   c.restore();
-  const down = { "mem prot": protection, "sing step": step };
+  /** @type {Record<string, number>} */ const down = { "mem prot": protection, "sing step": step };
   SWITCHES.forEach(({ x, y, w }, index) => {
     const name = KEYS[index - 12];
     const up = name ? pressed === name || down[name] : sr & (0o4000 >> index);
@@ -184,9 +184,9 @@ export function drawLamps(c, lit, { sr, mem_prot: protection, sing_step: step },
 }
 
 /** The picture of a rocker that is up or down: of a group of three, of the next, or of the keys. */
-const rocker = (up, kind) => kept(`${up} ${kind}`, () => sheet(0.64, 1.6, 160, (c) => drawRocker(c, 0, 0, up, kind)));
+const rocker = (/** @type {boolean} */ up, /** @type {number} */ kind) => kept(`${up} ${kind}`, () => sheet(0.64, 1.6, 160, (c) => drawRocker(c, 0, 0, up, kind)));
 
-function drawRocker(c, x, y, up, kind) {
+function drawRocker(/** @type {Canvas} */ c, /** @type {number} */ x, /** @type {number} */ y, /** @type {boolean} */ up, /** @type {number} */ kind) {
   const [light, face, dark] = [["#fff8e8", "#d8ccb4", "#8f836d"], ["#f2a066", "#c2602c", "#6f2f11"], ["#efe5d0", "#b9ad96", "#6f6453"]][kind];
   box(c, x, y + 0.12, 0.64, 1.4, 0.06, "#0e0c0a");
   const middle = y + (up ? 0.62 : 1);
@@ -200,13 +200,13 @@ function drawRocker(c, x, y, up, kind) {
   }
 }
 
-const LIGHT = {
+/** @type {Record<string, [number, string][]>} */ const LIGHT = {
   ember: [[0, "rgba(255,140,40,.95)"], [0.2, "rgba(235,95,18,.85)"], [0.25, "rgba(200,80,15,.3)"], [1, "rgba(120,40,5,0)"]],
   hot: [[0, "rgba(255,244,214,1)"], [0.35, "rgba(255,214,130,.95)"], [0.5, "rgba(255,170,70,.5)"], [1, "rgba(255,140,40,0)"]],
 };
 
 /** The picture of a filament that is barely lit, "ember", or of one that burns, "hot". */
-const glow = (kind) => kept(kind, () => sheet(1, 1, 128, (c) => {
+const glow = (/** @type {string} */ kind) => kept(kind, () => sheet(1, 1, 128, (c) => {
   const light = c.createRadialGradient(0.5, 0.5, 0, 0.5, 0.5, 0.5);
   LIGHT[kind].forEach(([at, colour]) => light.addColorStop(at, colour));
   c.fillStyle = light;

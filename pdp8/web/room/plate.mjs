@@ -16,7 +16,7 @@ export class Plate {
   /** The plate that is milled along `knots` by a cutter of that diameter, of `bounds`, so many pixels wide; seen from `before`,
    *  or from above.
    */
-  constructor(knots, diameter, bounds, pixels, before) {
+  constructor(/** @type {Knot[]} */ knots, /** @type {number} */ diameter, /** @type {Bounds} */ bounds, /** @type {number} */ pixels, /** @type {boolean} */ before) {
     this.knots = knots;
     this.diameter = diameter;
     this.bounds = bounds;
@@ -32,7 +32,7 @@ export class Plate {
 
   #canvas() {
     const { bounds: { left, right, bottom, top }, sharp } = this;
-    const c = new OffscreenCanvas(Math.ceil((right - left) * sharp), Math.ceil((top - bottom) * sharp)).getContext("2d");
+    const c = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(Math.ceil((right - left) * sharp), Math.ceil((top - bottom) * sharp)).getContext("2d"));
     c.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
     return c;
   }
@@ -40,17 +40,17 @@ export class Plate {
   #begin() {
     const { bounds: { left, right, bottom, top }, knots: [{ x, y }] } = this;
     for (const c of [this.rim, this.inside, this.groove]) c.clearRect(left, bottom, right - left, top - bottom);
-    this.at = { knot: 0, x, y };
+    /** @type {Place & { knot: number }} */ this.at = { knot: 0, x, y };
   }
 
   /** Mill as far as a place of the path (Path.at). */
-  to(place) {
+  to(/** @type {PathPlace} */ place) {
     if (place.knot < this.at.knot) this.#begin();
     const { at, knots } = this;
     if (place.knot === at.knot && Math.hypot(place.x - at.x, place.y - at.y) < FINE) return;
-    const path = new Path2D(), xs = [], ys = [];
-    let from = at;
-    const move = (to, down) => {
+    const path = new Path2D(), xs = /** @type {number[]} */ ([]), ys = /** @type {number[]} */ ([]);
+    let from = /** @type {Place} */ (at);
+    const move = (/** @type {Place} */ to, /** @type {boolean} */ down) => {
       if (down) {
         path.moveTo(from.x, from.y);
         path.lineTo(to.x + 0.01, to.y);
@@ -59,14 +59,14 @@ export class Plate {
       }
       from = to;
     };
-    for (let knot = at.knot + 1; knot <= place.knot; knot++) move(knots[knot], knots[knot].down);
+    for (let knot = at.knot + 1; knot <= place.knot; knot++) move(knots[knot], Boolean(knots[knot].down));
     move(place, place.down);
     this.at = { ...place };
     if (xs.length) this.#carve(path, xs, ys);
   }
 
   /** Add a path, with its ends, to what is milled. */
-  #carve(path, xs, ys) {
+  #carve(/** @type {Path2D} */ path, /** @type {number[]} */ xs, /** @type {number[]} */ ys) {
     const { bounds: { left, top }, depth, diameter, sharp } = this;
     const { canvas: rim } = this.rim, { canvas: inside } = this.inside;
     edge(this.rim, path, diameter, depth);
@@ -87,7 +87,7 @@ export class Plate {
   }
 
   /** Draw it where the context's places are thousandths, Y up. */
-  draw(c, light) {
+  draw(/** @type {Canvas} */ c, /** @type {Place | null} */ light) {
     const { left, right, bottom, top } = this.bounds;
     const [w, h] = [right - left, top - bottom];
     face(c, this.bounds, light);
@@ -99,25 +99,25 @@ export class Plate {
 }
 
 /** Draw a groove along a path, so deep. */
-export function carve(c, path, diameter, depth, shadow) {
+export function carve(/** @type {Canvas} */ c, /** @type {Path2D} */ path, /** @type {number} */ diameter, /** @type {number} */ depth, /** @type {number[]} */ shadow) {
   edge(c, path, diameter, depth);
   c.globalCompositeOperation = "source-atop";
   hollow(c, path, diameter, depth, shadow);
 }
 
 /** All that is milled, and its bright edge. */
-function edge(c, path, diameter, depth) {
+function edge(/** @type {Canvas} */ c, /** @type {Path2D} */ path, /** @type {number} */ diameter, /** @type {number} */ depth) {
   stroke(c, path, "#eef1ee", diameter + 2 * BURR * Math.min(1, depth / DEPTH + 0.25));
 }
 
 /** The wall as it is seen from before, the floor, the light on it; they go beyond the edge. */
-function hollow(c, path, diameter, depth, [x, y] = SHADOW) {
+function hollow(/** @type {Canvas} */ c, /** @type {Path2D} */ path, /** @type {number} */ diameter, /** @type {number} */ depth, [x, y] = SHADOW) {
   WALL.forEach((colour, layer) => stroke(c, path, colour, diameter, 0, (-depth * layer) / WALL.length));
   stroke(c, path, "#606a6d", diameter, 0, -depth);
   stroke(c, path, "#8f989b", diameter * 0.995, x, y - depth);
 }
 
-function stroke(c, path, colour, wide, x = 0, y = 0) {
+function stroke(/** @type {Canvas} */ c, /** @type {Path2D} */ path, /** @type {string} */ colour, /** @type {number} */ wide, x = 0, y = 0) {
   c.save();
   c.translate(x, y);
   Object.assign(c, { strokeStyle: colour, lineWidth: wide, lineCap: "round", lineJoin: "round" });
@@ -126,7 +126,7 @@ function stroke(c, path, colour, wide, x = 0, y = 0) {
 }
 
 /** The plate's face: ground steel, with the light's reflection at a place. */
-export function face(c, { left, right, bottom, top }, light) {
+export function face(/** @type {Canvas} */ c, /** @type {Bounds} */ { left, right, bottom, top }, /** @type {Place | null} */ light) {
   const [w, h] = [right - left, top - bottom];
   const steel = c.createLinearGradient(left, top, right, bottom);
   [["#c3cacc", 0], ["#9aa3a6", 0.5], ["#b4bcbe", 1]].forEach(([colour, at]) => steel.addColorStop(Number(at), String(colour)));

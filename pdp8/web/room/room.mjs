@@ -17,7 +17,7 @@ import { codeOf } from "../bench/shelf.mjs";
 import { keyed } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
 import { inWords } from "../panel.mjs";
-import { DESK, find, grouped, readdress } from "../written.mjs";
+import { DESK, find, grouped, LATER, readdress } from "../written.mjs";
 import { Camera } from "./camera.mjs";
 import { Hands } from "./hands.mjs";
 import { keepsake } from "./keepsake.mjs";
@@ -40,7 +40,7 @@ const FILAMENT = 0.045; // seconds in which a lamp follows
 const CALM = 0.7; // part of an act that is shown where nothing shall move
 
 export class Room {
-  constructor(bench) {
+  constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.place = find("room");
     this.scene = new Scene(this.place.querySelector("canvas"));
@@ -51,8 +51,17 @@ export class Room {
     this.still = matchMedia("(prefers-reduced-motion: reduce)").matches; // nothing shall move
     this.at = { reader: 0, punch: 0 };
     this.moved = { struck: 0, fed: 0, turns: 0 };
-    this.samples = null;
-    this.work = this.milled = null;
+    this.samples = /** @type {Lamps[] | null} */ (null);
+    this.work = /** @type {any} */ (null);
+    this.milled = /** @type {Plate | null} */ (null);
+    /** @type {Tour} */ this.tour = LATER;
+    /** @type {Hands} */ this.hands = LATER;
+    /** @type {HTMLButtonElement[]} */ this.chapters = LATER;
+    /** @type {Shown | null} */ this.shown = null; /** @type {Shown} */ this.form = LATER; /** @type {ReturnType<Minute["next"]>} */ this.step = LATER;
+    this.tall = false;
+    this.before = this.told = this.fine = this.speed = 0;
+    this.asked = this.choice = "";
+    this.heard = /** @type {Record<string, number> | null} */ (null);
     this.own = null; // the machine that somebody has worked at
     this.typing = false; // whether the visitor types, and looks at punch and paper
     this.mine = ""; // what he has typed
@@ -73,7 +82,7 @@ export class Room {
   }
 
   /** Enter the room, and play from the beginning; or stand still at an instant of the afternoon, in ticks. */
-  enter(tick = null) {
+  enter(/** @type {number | null} */ tick = null) {
     const { bench, bench: { afternoon, machine }, place } = this;
     if (!afternoon.on) this.keep(machine);
     place.hidden = false;
@@ -91,7 +100,7 @@ export class Room {
   }
 
   /** Keep the machine at which somebody has worked, if anything is in its core. */
-  keep(machine) {
+  keep(/** @type {Machine} */ machine) {
     this.own = machine.processor.core.some((word) => word) ? machine : null;
     this.#buttons();
   }
@@ -101,12 +110,12 @@ export class Room {
     const { afternoon: { script: { day } }, record: { afternoon: { machines, story } } } = this.bench;
     this.story = story;
     this.tour = new Tour(day, machines[0][0]);
-    put(this.place.querySelector(".chapters"), story.slice(1).map(([name], index) => html`<li><button data-click="room.go" value="${index + 1}">${name}</button></li>`));
+    put(this.place.querySelector(".chapters"), story.slice(1).map((/** @type {[string]} */ [name], /** @type {number} */ index) => html`<li><button data-click="room.go" value="${index + 1}">${name}</button></li>`));
     this.chapters = [...this.place.querySelectorAll(".chapters button")];
   }
 
   /** Go to an act; where nothing shall move, into the midst of it. */
-  go({ value }) {
+  go(/** @type {{ value: string | number }} */ { value }) {
     const { afternoon } = this.bench;
     this.tour.go(Number(value), this.still ? CALM : 0);
     this.#letGo();
@@ -125,7 +134,7 @@ export class Room {
     this.#wake();
   }
 
-  hear(button) {
+  hear(/** @type {HTMLButtonElement} */ button) {
     const { sound } = this.bench;
     sound.turn(!sound.on);
     button.ariaPressed = String(sound.on);
@@ -152,7 +161,7 @@ export class Room {
   }
 
   /** A key was pressed: it is answered by what it did. */
-  answer(key) {
+  answer(/** @type {string} */ key) {
     if (this.live) this.guide.answer(key, this.bench.machine);
   }
 
@@ -160,7 +169,7 @@ export class Room {
   #guide() {
     const { bench, bench: { machine, writer }, guide, hands, place } = this;
     const { say, key, switches } = this.step = guide.next(machine);
-    const { did, seen: { made, run, sr, waits } } = guide;
+    const { did, seen } = guide, { made, run, sr, waits } = /** @type {Look} */ (seen);
     writer.text(place.querySelector(".did"), did);
     writer.text(place.querySelector(".lamps"), run ? "running" : inWords(machine));
     this.#tell(say);
@@ -203,7 +212,7 @@ export class Room {
   }
 
   /** The keyboard presses what is added to the field. */
-  type({ value }) {
+  type(/** @type {HTMLInputElement} */ { value }) {
     const { bench, mine } = this;
     this.mine = value;
     if (value.startsWith(mine)) bench.touch(({ teletype: { keyboard } }) => keyboard.press(sent(value.slice(mine.length).toUpperCase())));
@@ -211,7 +220,7 @@ export class Room {
 
   /** Show the visitor's tape, as a picture to keep. */
   async see() {
-    const { guide: { seen: { frames, made } } } = this;
+    const { frames, made } = /** @type {Look} */ (this.guide.seen);
     if (!made) return;
     const picture = await keepsake(frames, made).convertToBlob();
     const box = find("tape"), link = box.querySelector("a"), image = box.querySelector("img");
@@ -227,7 +236,7 @@ export class Room {
   }
 
   /** Show the lamps in words, or leave them to who listens. */
-  speak(button) {
+  speak(/** @type {HTMLButtonElement} */ button) {
     button.ariaPressed = String(!this.place.classList.toggle("wordless"));
     this.#measure();
   }
@@ -259,13 +268,13 @@ export class Room {
     this.bench.sound.hum(0, 0);
     if (!location.hash.startsWith(DESK)) readdress(DESK, true);
     this.bench.show();
-    this.bench.time.focus();
+    find("play").focus({ preventScroll: true });
   }
 
-  #key(event) {
+  #key(/** @type {KeyboardEvent} */ event) {
     const { altKey, ctrlKey, key, metaKey } = event;
-    if (!this.open || event.defaultPrevented || event.target.matches("input") || this.place.querySelector("dialog[open]")) return;
-    if (altKey || ctrlKey || metaKey || (key === " " && event.target.matches("button"))) return;
+    if (!this.open || event.defaultPrevented || event.target?.matches("input") || this.place.querySelector("dialog[open]")) return;
+    if (altKey || ctrlKey || metaKey || (key === " " && event.target?.matches("button"))) return;
     const act = { "[": -1, "]": 1 }[key];
     const control = keyed(this.place.querySelector(".told"), event);
     if (act) this.go({ value: Math.max(0, Math.min(this.tour.length - 1, this.tour.turn + act)) });
@@ -275,7 +284,7 @@ export class Room {
   }
 
   /** The page's clock has run the machine, which is the visitor's: keep what its lamps showed. */
-  show(samples) {
+  show(samples = /** @type {Lamps[] | undefined} */ (undefined)) {
     if (!this.open) return;
     this.samples = samples ?? [this.bench.machine.panel.lamps];
     if (this.live) this.#guide();
@@ -303,7 +312,7 @@ export class Room {
 
   // --- time
 
-  #pass(seconds) {
+  #pass(/** @type {number} */ seconds) {
     if (this.live || !this.playing) return;
     const { tour, bench: { afternoon } } = this;
     this.playing = tour.pass(seconds);
@@ -319,11 +328,11 @@ export class Room {
   }
 
   /** Let so many ticks pass, with some looks at the lamps; at a pace that can be heard, from event to event. */
-  #step(ticks, speed) {
+  #step(/** @type {number} */ ticks, /** @type {number} */ speed) {
     const { script } = this.bench.afternoon;
     const from = script.now;
     const heard = speed <= HURRY;
-    this.later = (tick) => (tick - from) / SECOND / speed;
+    this.later = (/** @type {number} */ tick) => (tick - from) / SECOND / speed;
     this.samples = Array.from({ length: heard ? LOOKS : 2 }, (_, look, all = heard ? LOOKS : 2) => {
       const until = Math.floor(from + (ticks * (look + (look + 1 < all ? Math.random() : 1))) / all);
       while (heard && script.machine.bus.next_event(script.now) < until) {
@@ -339,11 +348,11 @@ export class Room {
   }
 
   /** Sound for what has happened by a tick. */
-  #hear(tick) {
+  #hear(/** @type {number} */ tick) {
     const { bench: { afternoon, sound } } = this;
     const { teletype: { punch, reader } } = afternoon.script.machine;
     const now = { punch: this.printing ? Math.floor(tick / FRAME) : punch.frames.length, read: reader.position, key: afternoon.script.done };
-    for (const [kind, count] of Object.entries(now)) if (this.heard && count > this.heard[kind]) sound.strike(kind, this.later(tick));
+    for (const [kind, count] of Object.entries(now)) if (this.heard && count > this.heard[kind]) sound.strike(kind, this.later?.(tick) ?? 0);
     this.heard = now;
     this.#type(tick);
   }
@@ -354,17 +363,17 @@ export class Room {
   }
 
   /** Put in paper on which nothing is typed, where so many frames have been printed. */
-  #paper(count) {
+  #paper(/** @type {number} */ count) {
     this.page.clear();
     this.typed = count;
     this.first = this.printing;
   }
 
   /** Type what has been printed. */
-  #type(tick) {
+  #type(/** @type {number} */ tick) {
     const { bench: { afternoon, machine, sound }, moved, page, printing } = this;
     const { day } = afternoon.script;
-    const frames = printing ? day.tapes.get(`${day.part}.asc`) : machine.teletype.printer.frames;
+    const frames = printing ? /** @type {Bytes} */ (day.tapes.get(`${day.part}.asc`)) : machine.teletype.printer.frames;
     const count = printing ? Math.floor(afternoon.script.now / FRAME) : frames.length;
     if (count < this.typed || printing !== this.first) this.#paper(printing ? 0 : Math.max(0, count - 2500));
     for (; this.typed < count; this.typed++) {
@@ -385,7 +394,7 @@ export class Room {
     this.scene.fine = ratio;
     this.coarse = false;
     this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the plate's picture
-    this.camera.eye = undefined;
+    this.camera.eye = LATER;
     this.#measure();
   }
 
@@ -419,7 +428,7 @@ export class Room {
     requestAnimationFrame((now) => this.#picture(now));
   }
 
-  #picture(now) {
+  #picture(/** @type {number} */ now) {
     this.awake = false;
     if (!this.open || !this.frame) return;
     const seconds = Math.min(0.1, Math.max(0, now - this.before) / 1000);
@@ -441,7 +450,7 @@ export class Room {
   }
 
   /** In a hurry pictures that come too slowly have fewer pixels, until there is none. */
-  #hurry(seconds) {
+  #hurry(/** @type {number} */ seconds) {
     this.took += (seconds - this.took) * 0.15;
     const coarse = this.playing && !this.live && this.speed > HURRY && (this.coarse || this.took > SLOW);
     if (coarse === this.coarse) return;
@@ -451,25 +460,25 @@ export class Room {
   }
 
   /** Draw the room; return whether something in it still moves of itself. */
-  #draw(seconds, shown) {
+  #draw(/** @type {number} */ seconds, /** @type {any} */ shown) {
     const { bench: { afternoon, machine }, filaments, moved } = this;
     filaments.follow(this.samples ?? [machine.panel.lamps], this.still ? 0 : Math.exp(-seconds / FILAMENT));
     moved.struck *= Math.exp(-seconds / 0.03);
     moved.fed *= Math.exp(-seconds / 0.04);
     const live = {
-      panel: (c) => drawLamps(c, filaments.lit, machine.processor, this.live ? null : afternoon.pressed),
-      teletype: (c) => this.#teletype(c, seconds),
-      mill: (c) => this.#mill(c, seconds),
+      panel: (/** @type {Canvas} */ c) => drawLamps(c, filaments.lit, machine.processor, this.live ? null : afternoon.pressed),
+      teletype: (/** @type {Canvas} */ c) => this.#teletype(c, seconds),
+      mill: (/** @type {Canvas} */ c) => this.#mill(c, seconds),
     };
     const where = shown === WHOLE ? places(this.tall) : { panel: { x: 0, y: 0 } };
-    const lit = (name) => (this.live ? name !== "mill" : this.tour.lights(name));
+    const lit = (/** @type {string} */ name) => (this.live ? name !== "mill" : this.tour.lights(name));
     const changes = this.scene.draw(this.camera, where, live, lit, seconds, shown);
     if (this.live) this.#overlay(where.panel, shown);
     return changes || moved.struck > 0.01 || moved.fed > 0.01 || filaments.moves || this.glides;
   }
 
   /** Lay the buttons over the panel that is drawn. */
-  #overlay({ x, y }, shown) {
+  #overlay(/** @type {Place} */ { x, y }, /** @type {any} */ shown) {
     const { camera: { origin, scale }, hands } = this;
     if (this.shown !== shown) hands.lay(shown);
     this.shown = shown;
@@ -487,7 +496,7 @@ export class Room {
     writer.text(pace, live ? "yours now" : !playing ? "stands still" : speed < 1.6 ? "at the pace of 1971" : `${grouped(times)} times as fast`);
   }
 
-  #teletype(c, seconds) {
+  #teletype(/** @type {Canvas} */ c, /** @type {number} */ seconds) {
     const { bench: { afternoon, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
     page.draw(c, moved.struck, moved.fed);
     const { day, now } = afternoon.script;
@@ -499,7 +508,7 @@ export class Room {
     drawHeads(c, reader.on && !terminal);
   }
 
-  #tape(c, which, frames, head, last, code, seconds) {
+  #tape(/** @type {Canvas} */ c, /** @type {"reader" | "punch"} */ which, /** @type {ArrayLike<number>} */ frames, /** @type {number} */ head, /** @type {number} */ last, /** @type {Code} */ code, /** @type {number} */ seconds) {
     const gone = head - this.at[which];
     this.at[which] += Math.abs(gone) > 400 || this.still ? gone : gone * (1 - Math.exp(-seconds / 0.022));
     if (Math.abs(head - this.at[which]) < 0.01) this.at[which] = head;
@@ -515,7 +524,7 @@ export class Room {
     return { diameter, fit: fitted(within), path, wall: wall && new Wall(wall, path.knots, diameter, within, this.fine > 1000 ? 2.6 : 1.5), within };
   }
 
-  #mill(c, seconds) {
+  #mill(/** @type {Canvas} */ c, /** @type {number} */ seconds) {
     this.work ??= this.#work();
     const { moved, tour, work: { diameter, fit, path, wall, within } } = this;
     const { day: { mill_starts: starts }, now } = this.bench.afternoon.script;
@@ -552,7 +561,7 @@ export class Room {
   }
 
   /** The plate, as it has been milled: seen from before, or from above. */
-  #plate(place, before) {
+  #plate(/** @type {PathPlace | null} */ place, /** @type {boolean} */ before) {
     const { diameter, path: { knots }, within } = this.work;
     if (this.milled?.before !== before) this.milled = new Plate(knots, diameter, within, this.fine, before);
     if (place) this.milled.to(place);

@@ -7,23 +7,23 @@ import { drawMill, MILL } from "./mill.mjs";
 import { drawPanel, inPieces, PANEL, WHOLE } from "./panel.mjs";
 import { drawTeletype, TELETYPE } from "./teletype.mjs";
 
-const STILLS = { panel: [PANEL, drawPanel], teletype: [TELETYPE, drawTeletype], mill: [MILL, drawMill] }; // in the order in which they come to light
+/** @type {Record<string, [{ w: number; h: number; hangs?: number }, (c: Canvas) => void]>} */ const STILLS = { panel: [PANEL, drawPanel], teletype: [TELETYPE, drawTeletype], mill: [MILL, drawMill] }; // in the order in which they come to light
 const MARGIN = 1.5; // inches about a thing, for its shadow
 const LARGEST = 4096; // pixels of a picture
 const DIM = 0.62; // how dark it is where no light falls
 const DUSK = 0.35; // seconds in which it gets dark
 
 export class Scene {
-  constructor(canvas) {
+  constructor(/** @type {HTMLCanvasElement} */ canvas) {
     this.canvas = canvas;
-    this.context = canvas.getContext("2d");
+    this.context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     this.stills = new Map();
     this.dark = new Map();
     this.width = this.height = this.fine = this.ratio = 0;
   }
 
   /** Be as large as the window, with `fine` pixels for one of CSS, or a part of them. */
-  resize(width, height, fine, part) {
+  resize(/** @type {number} */ width, /** @type {number} */ height, /** @type {number} */ fine, /** @type {number} */ part) {
     Object.assign(this, { width, height, fine, ratio: fine * part });
     const [wide, high] = [width, height].map((side) => Math.round(side * this.ratio));
     if (this.canvas.width !== wide || this.canvas.height !== high) Object.assign(this.canvas, { width: wide, height: high });
@@ -32,7 +32,7 @@ export class Scene {
   /** Draw the room: `live` draws what moves on each thing that is there, `lit` says whether light falls on it; `shown` is how
    *  the panel is shown. Return whether the light still changes, or a picture is not yet as sharp as it can be.
    */
-  draw(camera, where, live, lit, seconds, shown = WHOLE) {
+  draw(/** @type {import("./camera.mjs").Camera} */ camera, /** @type {Record<string, Place>} */ where, /** @type {Record<string, (c: Canvas) => void>} */ live, /** @type {(name: string) => boolean} */ lit, /** @type {number} */ seconds, shown = WHOLE) {
     const { context: c, canvas, ratio } = this;
     const { scale, origin } = camera;
     c.setTransform(1, 0, 0, 1, 0, 0);
@@ -63,7 +63,7 @@ export class Scene {
   }
 
   /** Light falls on what happens now; the rest of the room stands in the dark. */
-  #dim(c, name, w, h, lit, seconds) {
+  #dim(/** @type {Canvas} */ c, /** @type {string} */ name, /** @type {number} */ w, /** @type {number} */ h, /** @type {boolean} */ lit, /** @type {number} */ seconds) {
     const goal = lit ? 0 : DIM, before = this.dark.get(name) ?? goal;
     const dark = goal + (before - goal) * Math.exp(-seconds / DUSK);
     this.dark.set(name, dark);
@@ -77,7 +77,7 @@ export class Scene {
   }
 
   /** What does not change of a thing: its picture, with the pixels of an inch; nothing if another was drawn for this picture. */
-  #still(name, camera) {
+  #still(/** @type {string} */ name, /** @type {import("./camera.mjs").Camera} */ camera) {
     const [{ w, h }, still] = STILLS[name];
     const kept = this.stills.get(name);
     const sharp = Math.min(camera.goal * this.fine, LARGEST / (Math.max(w, h) + 2 * MARGIN));

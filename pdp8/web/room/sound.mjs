@@ -9,40 +9,40 @@ const LEAST = 0.07; // seconds between two strikes of a kind: more are not heard
 const LEAD = 0.05; // seconds from a picture to its sound, so that each comes at its own time
 
 /** Bursts of noise: [middle in Hz, how narrow, seconds, loudness]. */
-const STRIKES = {
+/** @type {Record<string, [number, number, number, number][]>} */ const STRIKES = {
   print: [[190, 1.2, 0.06, 0.9], [3400, 2, 0.012, 0.3]],
   feed: [[120, 1, 0.14, 0.7]],
   read: [[2600, 3, 0.02, 0.28]],
   punch: [[880, 2, 0.035, 0.6]],
   key: [[1500, 4, 0.025, 0.8]],
 };
-const BELL = [[2210, 0.2, 1.1], [5480, 0.06, 0.5]]; // Hz, loudness, seconds
+/** @type {[number, number, number][]} */ const BELL = [[2210, 0.2, 1.1], [5480, 0.06, 0.5]]; // Hz, loudness, seconds
 
 export class Sound {
   constructor() {
     this.on = false;
-    this.last = {};
+    this.last = /** @type {Record<string, number>} */ ({});
   }
 
-  turn(on) {
+  turn(/** @type {boolean} */ on) {
     this.on = on;
     if (on && !this.context) this.#build(new AudioContext());
     this.context?.[on ? "resume" : "suspend"]();
   }
 
-  #build(context) {
-    this.context = context;
-    this.out = new GainNode(context, { gain: 0.7 });
+  #build(/** @type {AudioContext} */ context) {
+    /** @type {AudioContext} */ this.context = context;
+    /** @type {GainNode} */ this.out = new GainNode(context, { gain: 0.7 });
     this.out.connect(new DynamicsCompressorNode(context)).connect(context.destination);
     this.noise = new AudioBuffer({ length: context.sampleRate, sampleRate: context.sampleRate });
     const samples = this.noise.getChannelData(0);
     for (let at = 0; at < samples.length; at++) samples[at] = Math.random() * 2 - 1;
-    this.motor = this.#drone([[58, 0.5], [116.5, 0.22], [232, 0.05]], 320);
-    this.cutter = this.#drone([[83, 0.3], [331, 0.16], [1240, 0.05]], 2600);
+    /** @type {AudioParam} */ this.motor = this.#drone([[58, 0.5], [116.5, 0.22], [232, 0.05]], 320);
+    /** @type {AudioParam} */ this.cutter = this.#drone([[83, 0.3], [331, 0.16], [1240, 0.05]], 2600);
   }
 
   /** A sound that lasts: tones, a little noise, and a lid on them; how loud it is, is set later. */
-  #drone(tones, lid) {
+  #drone(/** @type {number[][]} */ tones, /** @type {number} */ lid) {
     const { context } = this;
     const gain = new GainNode(context, { gain: 0 });
     const filter = new BiquadFilterNode(context, { frequency: lid });
@@ -59,14 +59,14 @@ export class Sound {
   }
 
   /** How loud the motor and the cutter are, 0 to 1. */
-  hum(motor, cutter) {
+  hum(/** @type {number} */ motor, /** @type {number} */ cutter) {
     if (!this.on) return;
     this.motor.setTargetAtTime(motor * 0.05, this.context.currentTime, 0.3);
     this.cutter.setTargetAtTime(cutter * 0.09, this.context.currentTime, 0.12);
   }
 
   /** Strike, so many seconds after now. */
-  strike(kind, later = 0) {
+  strike(/** @type {string} */ kind, later = 0) {
     if (!this.on) return;
     const when = this.context.currentTime + LEAD + later;
     if (when - (this.last[kind] ?? 0) < LEAST) return;
@@ -75,7 +75,7 @@ export class Sound {
     else for (const burst of STRIKES[kind]) this.#burst(when, ...burst);
   }
 
-  #burst(when, frequency, sharp, long, loud) {
+  #burst(/** @type {number} */ when, /** @type {number} */ frequency, /** @type {number} */ sharp, /** @type {number} */ long, /** @type {number} */ loud) {
     const { context } = this;
     const source = new AudioBufferSourceNode(context, { buffer: this.noise });
     const gain = new GainNode(context, { gain: 0 });
@@ -85,7 +85,7 @@ export class Sound {
     source.start(when, Math.random() * 0.5, long * 3);
   }
 
-  #ring(when, frequency, loud, long) {
+  #ring(/** @type {number} */ when, /** @type {number} */ frequency, /** @type {number} */ loud, /** @type {number} */ long) {
     const tone = new OscillatorNode(this.context, { frequency });
     const gain = new GainNode(this.context, { gain: 0 });
     gain.gain.setValueAtTime(loud, when);

@@ -15,8 +15,8 @@ const END = 0.45; // paper beyond the last row
 /** Draw a tape that lies between y = `from` and `until`, its left edge at `x`; the frame `at`, which may have parts, is
  *  at y = `head`, those before it below, or above if `way` is -1. Frames are there up to `last`; the paper lies `lift` inches above what is under it.
  */
-export function drawTape(c, { x, head, from, until, way = 1, lift = 0.1 }, { frames, code, at, last = frames.length }) {
-  const place = (frame) => head + way * (at - frame) * PITCH;
+export function drawTape(/** @type {Canvas} */ c, /** @type {Strip} */ { x, head, from, until, way = 1, lift = 0.1 }, /** @type {{ frames: ArrayLike<number>; code: Code; at: number; last?: number }} */ { frames, code, at, last = frames.length }) {
+  const place = (/** @type {number} */ frame) => head + way * (at - frame) * PITCH;
   const ends = [place(0) + way * END, place(last - 1) - way * END];
   const [top, bottom] = [Math.max(from, Math.min(...ends)), Math.min(until, Math.max(...ends))];
   if (bottom <= top) return;
@@ -38,7 +38,7 @@ export function drawTape(c, { x, head, from, until, way = 1, lift = 0.1 }, { fra
   }
 }
 
-function drawHoles(c, holes) {
+function drawHoles(/** @type {Canvas} */ c, /** @type {number} */ holes) {
   c.fillStyle = HOLE;
   TRACKS.forEach((channel, track) => {
     if (channel && !(holes & (1 << (channel - 1)))) return;
@@ -48,10 +48,10 @@ function drawHoles(c, holes) {
   });
 }
 
-const SIGNS = { CR: "↵", EOB: "↵", LF: "↓", RUBOUT: "×", blank: "", leader: "", space: "␣" };
+/** @type {Record<string, string>} */ const SIGNS = { CR: "↵", EOB: "↵", LF: "↓", RUBOUT: "×", blank: "", leader: "", space: "␣" };
 
 /** What a frame says in its code, as one sign; a binary frame as its octal digits. */
-export function sign(frame, code) {
+export function sign(/** @type {number} */ frame, /** @type {Code} */ code) {
   const name = code.caption(frame);
   return SIGNS[name] ?? name;
 }

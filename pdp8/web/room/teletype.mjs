@@ -1,6 +1,7 @@
 // An ASR-33 from before, 22 by 24 inches: its case, the paper as it grows out of it, reader and punch.
 
 import { Paper } from "../../computer/use/keys.mjs";
+import { LATER } from "../written.mjs";
 import { box, kept, shade, sharpness, sheet, words } from "./ink.mjs";
 import { sign } from "./tape.mjs";
 import { TYPE } from "./type.mjs";
@@ -14,7 +15,7 @@ const WEAR = 9; // ways in which a character may be worn
 const INK = "#2c2640";
 const BOARD = ["1234567890:-", "QWERTYUIOP", "ASDFGHJKL;", "ZXCVBNM,./"];
 
-export function drawTeletype(c) {
+export function drawTeletype(/** @type {Canvas} */ c) {
   box(c, 0, 9.4, 22, 14.4, [1.1, 1.1, 0.5, 0.5], shade(c, 9.4, 24, ["#c9c2b2", "#aaa292", "#817a6c", "#5d574c"]), 1.4);
   box(c, 0.25, 9.6, 6.1, 13.6, [0.9, 0.3, 0.2, 0.4], shade(c, 9.6, 23, ["#b7b0a0", "#8f8879", "#6d675b"]));
   box(c, 6.9, 9.7, 14.8, 5.6, [0.6, 0.9, 0.2, 0.2], shade(c, 9.7, 15.3, ["#d6cfbf", "#bdb5a5", "#a29a8a"]));
@@ -34,7 +35,7 @@ export function drawTeletype(c) {
   words(c, "READER", 5.5, 18.98, 0.2, { align: "right", colour: "#4f493f", weight: 700 });
 }
 
-function drawKey(c, x, y, letter) {
+function drawKey(/** @type {Canvas} */ c, /** @type {number} */ x, /** @type {number} */ y, /** @type {string} */ letter) {
   c.fillStyle = "rgba(0,0,0,.45)";
   c.beginPath();
   c.arc(x, y + 0.09, 0.43, 0, 7);
@@ -53,19 +54,20 @@ export class Page {
   }
 
   clear() {
-    this.paper = new Paper(SHOWN);
-    this.ended = 0; // lines that are whole
-    this.drawn = this.sharp = 0; // lines on the picture, and its pixels for an inch
+    /** @type {Paper} */ this.paper = new Paper(SHOWN);
+    /** @type {number} */ this.ended = 0; // lines that are whole
+    /** @type {OffscreenCanvas} */ this.picture = LATER;
+    /** @type {number} */ this.drawn = /** @type {number} */ this.sharp = 0; // lines on the picture, and its pixels for an inch
   }
 
   /** Type a frame; return the character it acts on. */
-  take(frame) {
+  take(/** @type {number} */ frame) {
     const character = this.paper.take(frame);
     if (character === "\n") this.ended++;
     return character;
   }
 
-  #whole(sharp) {
+  #whole(/** @type {number} */ sharp) {
     const { paper: { lines } } = this;
     const high = Math.round(LINE * sharp);
     if (sharp !== this.sharp) {
@@ -74,7 +76,7 @@ export class Page {
     }
     const fresh = Math.min(this.ended - this.drawn, SHOWN);
     if (!fresh) return this.picture;
-    const c = this.picture.getContext("2d");
+    const c = /** @type {OffscreenCanvasRenderingContext2D} */ (this.picture.getContext("2d"));
     c.globalCompositeOperation = "copy";
     c.drawImage(this.picture, 0, -fresh * high);
     c.globalCompositeOperation = "source-over";
@@ -90,7 +92,7 @@ export class Page {
   /** Draw it, and the type cylinder at the carriage's column. `struck` is 1 as it strikes, then less; `fed` is how much of
    *  the last line's feed is still to come, 0 to 1.
    */
-  draw(c, struck, fed) {
+  draw(/** @type {Canvas} */ c, /** @type {number} */ struck, /** @type {number} */ fed) {
     const { ended, paper: { lines, column } } = this;
     const { x, width, line, margin } = PAPER;
     const torn = Math.max(0.3, line - 1.5 - (ended - fed) * LINE);
@@ -117,7 +119,7 @@ export class Page {
 }
 
 /** Draw a line, its upper left corner at 0, 0: no two strikes are alike. */
-function drawLine(c, text, line, sharp) {
+function drawLine(/** @type {Canvas} */ c, /** @type {string} */ text, /** @type {number} */ line, /** @type {number} */ sharp) {
   for (let at = 0; at < text.length; at++) {
     if (!TYPE.has(text[at])) continue;
     const wear = (at * 7 + text.charCodeAt(at) * 13 + line * 5) % WEAR;
@@ -126,14 +128,14 @@ function drawLine(c, text, line, sharp) {
   }
 }
 
-function drawType(c, character, wear) {
+function drawType(/** @type {Canvas} */ c, /** @type {string} */ character, /** @type {number} */ wear) {
   Object.assign(c, { lineCap: "round", lineJoin: "round", strokeStyle: INK, lineWidth: 0.0125 + wear * 0.005, globalAlpha: 0.8 + wear * 0.2 });
   c.translate(0.014, 0.03 + (wear - 0.5) * 0.006);
-  c.stroke(TYPE.get(character));
+  c.stroke(/** @type {Path2D} */ (TYPE.get(character)));
 }
 
 /** What the frame under a head says, on a card beside it. */
-export function drawSign(c, { x, head }, frame, code) {
+export function drawSign(/** @type {Canvas} */ c, /** @type {{ x: number; head: number }} */ { x, head }, /** @type {number} */ frame, /** @type {Code} */ code) {
   const said = sign(frame, code);
   if (!said) return;
   const wide = 0.28 + 0.22 * said.length;
@@ -142,7 +144,7 @@ export function drawSign(c, { x, head }, frame, code) {
 }
 
 /** What lies over the tapes: the punch's block, the reader's lid with its light slit, its lever. */
-export function drawHeads(c, reading) {
+export function drawHeads(/** @type {Canvas} */ c, /** @type {boolean} */ reading) {
   box(c, 0.85, 10.05, 1.5, 0.78, 0.08, shade(c, 10, 10.9, ["#928b7d", "#4b463e"]));
   box(c, 3.25, 15.62, 1.5, 0.42, 0.06, shade(c, 15.6, 16.05, ["#a39b8c", "#5b554b"]));
   box(c, 3.25, 14.72, 1.5, 0.42, 0.06, shade(c, 14.7, 15.15, ["#a39b8c", "#5b554b"]));

@@ -10,7 +10,7 @@ const PLACES = {
   tall: { mill: { x: 1.5, y: 26.4 }, panel: { x: 1.5, y: 0 }, teletype: { x: 0, y: 0.6 } },
 };
 const ALL = { wide: { x: -1.4, y: 1.5, w: 45.8, h: 23.2 }, tall: { x: -0.5, y: -0.6, w: 23, h: 39.6 } };
-const seen = (of, ...boxes) => ({ of, boxes: boxes.map(([x, y, w, h]) => ({ x, y, w, h })) });
+const seen = (/** @type {string} */ of, /** @type {any[]} */ ...boxes) => ({ of, boxes: boxes.map(([x, y, w, h]) => ({ x, y, w, h })) });
 const PANEL = seen("panel", [-0.6, -0.6, 20.2, 10]);
 const EVERYTHING = { of: "", boxes: [] };
 
@@ -34,7 +34,7 @@ const BEFORE = { [Kind.TOGGLE]: 58, [Kind.LOAD]: 24, [Kind.TRANSLATE]: 24 }; // 
 const NEAR = 3; // seconds before the cutter goes down
 
 export class Tour {
-  constructor(day, middle) {
+  constructor(/** @type {import("../../replay/day.mjs").Course} */ day, /** @type {number} */ middle) {
     this.day = day;
     this.middle = middle; // the tick that comes before the story
     this.go(0);
@@ -46,21 +46,21 @@ export class Tour {
   }
 
   /** Go to an act, its first second or a later one. */
-  go(turn, part = 0) {
-    this.turn = turn;
-    this.wall = part * ACTS[turn][0];
+  go(/** @type {number} */ turn, part = 0) {
+    /** @type {number} */ this.turn = turn;
+    /** @type {number} */ this.wall = part * ACTS[turn][0];
   }
 
   /** Go where a tick is shown; where it is passed over, to what comes next. */
-  at(tick) {
-    const { acts } = this.day;
+  at(/** @type {number} */ tick) {
+    const acts = /** @type {Act[]} */ (this.day.acts);
     const turn = acts.findIndex(({ ends }) => tick < ends);
     this.go(turn < 0 ? acts.length : turn + 1);
     while (this.tick < tick && this.part < 1) this.wall += 0.01;
   }
 
   /** Let seconds pass; return whether there is more to be seen. */
-  pass(seconds) {
+  pass(/** @type {number} */ seconds) {
     this.wall += seconds;
     if (this.wall <= ACTS[this.turn][0] + PAUSE) return true;
     if (this.turn + 1 === ACTS.length) return false;
@@ -92,7 +92,7 @@ export class Tour {
   }
 
   /** Where an act begins to be worth looking at. */
-  #starts({ kind, starts }) {
+  #starts(/** @type {Act} */ { kind, starts }) {
     const { path, mill_starts: mill } = this.day;
     if (kind === Kind.MILL) return mill + ((path.knots.find(({ down }) => down)?.second ?? NEAR) - NEAR) * SECOND;
     return starts + (BEFORE[kind] ?? 0) * SECOND;
@@ -107,31 +107,31 @@ export class Tour {
   }
 
   /** Whether the light falls on a thing. */
-  lights(name) {
+  lights(/** @type {any} */ name) {
     return ACTS[this.turn][2].includes(name);
   }
 
   /** What the camera sees now, in inches of the room. */
-  box(tall) {
+  box(/** @type {boolean} */ tall) {
     const shots = ACTS[this.turn].slice(3);
-    const [, shot] = shots.findLast(([from]) => from <= this.part);
+    const [, shot] = shots.findLast((/** @type {[number]} */ [from]) => from <= this.part);
     return shot === EVERYTHING ? everything(tall) : framed(shot, tall);
   }
 }
 
-export const places = (tall) => PLACES[tall ? "tall" : "wide"];
-export const everything = (tall) => ALL[tall ? "tall" : "wide"];
+export const places = (/** @type {boolean} */ tall) => PLACES[tall ? "tall" : "wide"];
+export const everything = (/** @type {boolean} */ tall) => ALL[tall ? "tall" : "wide"];
 
-function framed({ of, boxes }, tall) {
-  const { x, y } = places(tall)[of];
+function framed(/** @type {ReturnType<typeof seen>} */ { of, boxes }, /** @type {boolean} */ tall) {
+  const { x, y } = /** @type {Record<string, Place>} */ (places(tall))[of];
   const box = (tall && boxes[1]) || boxes[0];
   return { x: x + box.x, y: y + box.y, w: box.w, h: box.h };
 }
 
 /** The panel, as it is seen when it is taken, where there is space for all of it. */
-export const atThePanel = (tall) => framed(PANEL, tall);
+export const atThePanel = (/** @type {boolean} */ tall) => framed(PANEL, tall);
 
 const TAPE = seen("teletype", [0.3, 8.7, 12.4, 5.4], [0.2, 8.4, 10.4, 6]);
 
 /** Punch and paper, while the visitor types. */
-export const atTheTape = (tall) => framed(TAPE, tall);
+export const atTheTape = (/** @type {boolean} */ tall) => framed(TAPE, tall);

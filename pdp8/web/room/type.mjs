@@ -17,12 +17,12 @@ const STROKES = {
 /** The strokes of each character, in tenths of an inch: .7 wide, 1 high, from its upper left. */
 export const TYPE = new Map(Object.entries(STROKES).map(([character, strokes]) => [character, path(strokes)]));
 
-function path(strokes) {
+function path(/** @type {string} */ strokes) {
   const found = new Path2D();
   for (const stroke of strokes.split(" ")) {
     const round = stroke[0] === "~";
     /** @type {[number, number][]} */
-    const at = [...stroke.slice(Number(round)).matchAll(/(\d)(\d)/g)].map(([, x, y]) => [x * 0.017, y * 0.0175]);
+    const at = [...stroke.slice(Number(round)).matchAll(/(\d)(\d)/g)].map(([, x, y]) => [Number(x) * 0.017, Number(y) * 0.0175]);
     found.moveTo(...at[0]);
     if (!round) at.slice(1).forEach((point) => found.lineTo(...point));
     else for (let i = 1; i < at.length - 1; i++) {

@@ -15,7 +15,7 @@ export class Wall {
   /** The wall that the record's `wall` is about, left by a cutter of that diameter along `knots` in a plate; `sharp` is how
    *  many pixels a thousandth has.
    */
-  constructor({ place: [x, y], normal, off, lines }, knots, diameter, plate, sharp) {
+  constructor(/** @type {any} */ { place: [x, y], normal, off, lines }, /** @type {Knot[]} */ knots, /** @type {number} */ diameter, /** @type {Bounds} */ plate, /** @type {number} */ sharp) {
     const { left, right, bottom, top } = plate;
     this.bounds = { left: Math.max(left, x - WIDE / 2), right: Math.min(right, x + WIDE / 2), bottom: Math.max(bottom, y - HIGH / 2), top: Math.min(top, y + HIGH / 2) };
     this.sharp = sharp;
@@ -25,30 +25,30 @@ export class Wall {
     this.lines = lines;
     this.knots = knots;
     this.diameter = diameter;
-    this.picture = null; // made when it is seen
+    this.picture = /** @type {OffscreenCanvas | null} */ (null); // made when it is seen
   }
 
   /** How close the view is at a part of the act, 0 to 1. */
-  closeness(part) {
+  closeness(/** @type {number} */ part) {
     const way = Math.min(part - GOES, THERE - GOES) / (THERE - GOES) - Math.max(0, part - LEAVES) / (BACK - LEAVES);
     const at = Math.max(0, Math.min(1, way));
     return at * at * (3 - 2 * at);
   }
 
   /** How many times as large the plate is then, where a thousandth has `fit` inches of the room. */
-  larger(close, fit) {
+  larger(/** @type {number} */ close, /** @type {number} */ fit) {
     return (ROOM / SEEN / fit) ** close;
   }
 
   /** What is in the middle of the view: on the way from a place to the wall. */
-  between(from, close, fit) {
+  between(/** @type {Place} */ from, /** @type {number} */ close, /** @type {number} */ fit) {
     const most = this.larger(1, fit);
     const part = (most / this.larger(close, fit) - 1) / (most - 1);
     return { x: this.place.x + (from.x - this.place.x) * part, y: this.place.y + (from.y - this.place.y) * part };
   }
 
   /** Draw it where places are thousandths, Y up. */
-  draw(c, close) {
+  draw(/** @type {Canvas} */ c, /** @type {number} */ close) {
     const { bounds: { left, right, bottom, top } } = this;
     this.picture ??= this.#made();
     c.save();
@@ -80,9 +80,9 @@ export class Wall {
       path.moveTo(before.x, before.y);
       path.lineTo(knot.x + 0.01, knot.y);
     });
-    const canvas = (draw) => {
+    const canvas = (/** @type {(c: Canvas) => void} */ draw) => {
       const made = new OffscreenCanvas(Math.round((right - left) * sharp), Math.round((top - bottom) * sharp));
-      const c = made.getContext("2d");
+      const c = /** @type {OffscreenCanvasRenderingContext2D} */ (made.getContext("2d"));
       c.setTransform(sharp, 0, 0, -sharp, -left * sharp, top * sharp);
       draw(c);
       return made;
@@ -95,16 +95,16 @@ export class Wall {
     });
   }
 
-  #line(c, points) {
+  #line(/** @type {Canvas} */ c, /** @type {number[][]} */ points) {
     c.beginPath();
     for (const [x, y] of points) c.lineTo(x, y);
     c.stroke();
   }
 
   /** The measure between the lines, at the middle of them, drawn from outside as draughtsmen do where it is small. */
-  #arrow(c) {
+  #arrow(/** @type {Canvas} */ c) {
     const [nx, ny] = this.normal;
-    const ends = this.lines.map((line) => line[Math.floor(line.length / 2)]);
+    const ends = this.lines.map((/** @type {number[][]} */ line) => line[Math.floor(line.length / 2)]);
     for (const [[x, y], way] of [[ends[0], -1], [ends[1], 1]]) {
       this.#line(c, [[x, y], [x + nx * 42 * way, y + ny * 42 * way]]);
       this.#line(c, [[x + (nx * 9 - ny * 4) * way, y + (ny * 9 + nx * 4) * way], [x, y], [x + (nx * 9 + ny * 4) * way, y + (ny * 9 - nx * 4) * way]]);
@@ -112,7 +112,7 @@ export class Wall {
   }
 
   /** Say the measure, in inches of the room. */
-  label(c, close) {
+  label(/** @type {Canvas} */ c, /** @type {number} */ close) {
     c.save();
     c.globalAlpha = Math.max(0, (close - 0.8) * 5);
     words(c, `${this.off} in`, 9.5 + 1.6, 7 - 1.1, 0.5, { colour: "#7a2410", weight: 700, spread: 0 });

@@ -12,6 +12,7 @@ inference    the type of each expression: from annotations, and from what is ass
 expressions  operators, calls, f-strings, comprehensions
 statements   assignments, loops, try
 modules      imports, classes, functions
+declarations what the modules declare, as TypeScript reads it
 runtime.mjs  what Python has and JavaScript lacks
 
 What has no translation is an error with its file and line. Names stay as they are. Numbers are exact to 2^53.
@@ -21,6 +22,7 @@ from functools import cache
 from importlib.resources import files
 
 from pdp8.web.kept import kept
+from pdp8.web.translator.declarations import declare
 from pdp8.web.translator.modules import library, translate
 from pdp8.web.translator.program import Untranslated
 from tapes import codes
@@ -112,6 +114,15 @@ def translated(checked: bool = False) -> dict[str, str]:
     name = "checked" if checked else "translated"
     made = lambda: translate(sources, OMITTED, runtime(), unchecked=unchecked, trusted=TRUSTED)  # noqa: E731
     return dict(kept(name, content, made))
+
+
+@cache
+def declared() -> dict[str, str]:
+    """Return what all modules and the runtime declare for TypeScript, {name: text}, likewise."""
+    sources, parts = _sources(), ("types", "program", "inference", "declarations")
+    own = [_source(__package__, name)[1] for name in parts] + [library()]
+    content = repr((sources, OMITTED, own))
+    return dict(kept("declared", content, lambda: declare(sources, OMITTED, runtime())))
 
 
 def faults() -> list[str]:
