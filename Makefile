@@ -32,11 +32,11 @@ fewest: .venv/ready ## search for the fewest blocks of the piece-wise technique:
 
 .PHONY: test
 test: lint ## lint, types and tests, in five minutes: before each commit
-	$(BIN)/pytest -q -n auto --dist loadfile -m "not slow"
+	$(BIN)/pytest -q -n auto --dist loadfile --no-loadscope-reorder -m "not slow"
 
 .PHONY: check
 check: .venv/ready-check build/tei_all.rng ## pages in browsers, photographs, the site and all that is slow, in ten minutes
-	$(BIN)/pytest -q -n auto --dist loadfile -m slow
+	$(BIN)/pytest -q -n auto --dist loadfile --no-loadscope-reorder -m slow
 
 # The schema of the TEI that `thesis evidence --tei` writes; without a network its test is skipped.
 build/tei_all.rng: | .venv/bin/pip
