@@ -247,6 +247,7 @@ def test_every_command_has_help_with_examples() -> None:
         assert "Examples:\n" in said
 
 
+@pytest.mark.slow("measures five parts")
 def test_a_part_is_judged_by_the_curve_that_was_written_beside_its_tape(shell: Shell) -> None:
     """A cam is out of an ellipse's tolerance, and within its own; another tape is not judged by it."""
     made = "pdp8 part profile '1.5+0.25*cos(x)' --cutter 0.25 --stop inside --tolerance 0.003"

@@ -140,6 +140,7 @@ def walled(curve: Curve, outer: float) -> Inspection:
     return replace(inspect(slope(), SLOPE), curve=curve, walls=walls, cutter=5000)
 
 
+@pytest.mark.slow("measures some parts")
 def test_the_talyrond_magnifies_as_much_as_its_divisions_leave_room_for() -> None:
     """100 times in Figure 7.2."""
     said = "cutter 5.000 in · radial magnification 100, centre suppressed · small division .001 in"

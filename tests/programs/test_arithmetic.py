@@ -89,6 +89,7 @@ class Rounding(GE635):
         return Float(self, (value.mantissa + (1 << dropped >> 1)) >> dropped, value.exponent + dropped)
 
 
+@pytest.mark.slow("the ellipse in six arithmetics")
 def test_truncation_moves_nine_blocks_of_the_ellipse() -> None:
     """So the question of 1971 is truncate or round, not how long the words were."""
     exact, truncated = ellipse.part().splitlines(), ellipse.part(arithmetic=GE).splitlines()

@@ -245,6 +245,7 @@ def test_a_signal_leaves_no_file_half_written(number: int, left: set[str], tmp_p
     assert {path.name for path in tmp_path.iterdir()} == {"busy.pal", *left}
 
 
+@pytest.mark.slow("the afternoon, whole")
 def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) -> None:
     _, shown, said = call("pdp8 replay drill --html - --out desk")
     assert shown.startswith("<!DOCTYPE html>")

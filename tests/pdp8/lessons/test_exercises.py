@@ -23,8 +23,16 @@ TUTORIAL = (
 )  # fmt: skip
 PAGE = Path(__file__).parents[3] / "docs" / "tutorial.md"
 
+LONG = ("larger", "octal", "step-wise", "decimal", "fast-multiply", "table", "message", "subroutine")
 
-@pytest.mark.parametrize("name", form.bundled())
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow("marks some hundred answers")) if name in LONG else name
+        for name in form.bundled()
+    ],
+)
 def test_an_exercise_tells_its_mistakes_from_its_solution(name: str) -> None:
     given = form.read(name)
     solved = proof.solution(given)
@@ -47,6 +55,7 @@ def test_no_slip_is_taken_for_right_by_luck(name: str) -> None:
     assert len(slips.survivors) <= slips.tried // 4
 
 
+@pytest.mark.slow("marks some hundred answers")
 def test_what_another_oracle_says_of_an_answer_is_said_here_too() -> None:
     """answers.toml has edits of solutions, judged by the words of the tasks alone."""
     judged = tomllib.loads((Path(__file__).parent / "answers.toml").read_text())

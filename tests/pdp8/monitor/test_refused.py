@@ -209,6 +209,7 @@ def test_a_tape_that_is_missing_when_its_turn_comes_is_still_awaited(room: Monit
     assert room.waiting_tapes == ["in.asc"]
 
 
+@pytest.mark.slow("a script a line")
 def test_a_script_may_end_after_any_line_whole_or_not(tmp_path: Path, room: Monitor) -> None:
     for name, lines in WORKS.items():
         for arguments in lines:

@@ -8,6 +8,7 @@ from pdp8.cli.replay import REPLAYED
 from tests.conftest import Shell
 
 
+@pytest.mark.slow("the afternoon, whole")
 def test_the_acts_are_said_and_the_table_printed(shell: Shell, tmp_path: Path) -> None:
     done = shell("pdp8 replay drill --out desk --html page.html")
     assert done.returncode == 0

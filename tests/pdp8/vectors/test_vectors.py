@@ -24,6 +24,7 @@ def vectors(folder: Path) -> Vectors:
     return {file.name.partition(".")[0]: list(runner.read(file)) for file in folder.glob("*.json.gz")}
 
 
+@pytest.mark.slow("all vectors, twice")
 def test_made_twice_they_are_the_same_bytes(folder: Path, shell: Shell) -> None:
     """The second time by the command, in another process."""
     done = shell(f"PYTHONHASHSEED=7 pdp8 vectors --out again --states {STATES} && cd again && cksum *")

@@ -4,6 +4,8 @@ import random
 from collections.abc import Callable
 from typing import Any
 
+import pytest
+
 import pal
 from nc import machine
 from pdp8 import shelf
@@ -51,6 +53,7 @@ def _spoiled(draw: random.Random, tape: bytes, by: bytes = bytes(range(256))) ->
     return tape
 
 
+@pytest.mark.slow("500 sources in Node.js")
 def test_the_assembler() -> None:
     """Every source of the project, with channel 8 too, and 500 spoiled pieces; some are two tapes."""
     draw = random.Random(33)
@@ -64,6 +67,7 @@ def test_the_assembler() -> None:
     _same("auto", [[source] for source in spoiled[:60]])
 
 
+@pytest.mark.slow("500 sources in Node.js")
 def test_the_assembler_in_pal8() -> None:
     """Random sources in PAL8, some damaged; numbers beyond 2^53; what is found to be PAL8 and what is not."""
     whole = [written(PAL8, seed).encode() for seed in range(60)]

@@ -56,9 +56,7 @@ def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> N
     "seeds",
     [
         range(8),
-        pytest.param(
-            range(8, 8 + some(2000)), marks=pytest.mark.slow("20 million instructions by WHOLE=1")
-        ),
+        pytest.param(range(8, 8 + some(2000)), marks=pytest.mark.slow("20 million instructions by WHOLE=1")),
     ],
 )
 def test_nor_do_fields_and_data_breaks(form: str, seeds: range) -> None:
