@@ -173,15 +173,11 @@ def tape(name: str) -> "Tape":
 def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
     """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
     from pdp8.computer.use import program
-    from tapes import dump
 
     image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
     if image:
         raise ShelfError(f"{name}: {image}, and no program tape")
-    frames, note = dump.unspelled(read(name))
-    found = program.read(frames, name, force, dialect)
-    found.notes = (*[note] * bool(note), *found.notes)
-    return found
+    return program.read(read(name), name, force, dialect)
 
 
 def programs(names: Sequence[str], dialect: str = "auto") -> "Program":

@@ -2,26 +2,22 @@
 
 00000000: 0000 0b80 4520 2001   ....E  .      xxd: what is beside the numbers is not read
 0000000 200 200 102 000                       od: a longer first number in each line is its address
+0000000 100200 000102                         od, hexdump: words of two frames, the second before the first
+*                                             as the line above, up to the next address
 10001101 00000001      0x8d, 0x01             binary; hexadecimal with its mark
 """
 
-import re
 from typing import Final, NamedTuple
 
 from tapes import spelled
-from tapes.errors import TextError
-from tapes.text import with_ends
+from tapes.text import in_ascii, lines_of
 
-_MARK = re.compile(r"(?:(?:0x|\\x|\$)(?=[0-9a-f])|0o(?=[0-7]{3}$)|0b(?=[01]{8}$))", re.IGNORECASE)
-_ADDRESS = re.compile(r"\s*[0-9a-fA-F]+:\s*")
-_NUMBER = re.compile(r"[^\s,;{}\[\]()\"']+")
-_NOTATIONS: Final = {
-    "binary": (re.compile(r"[01]{8}"), 2, 8),
-    "octal": (re.compile(r"[0-3][0-7]{2}"), 8, 3),
-    "hexadecimal": (re.compile(r"(?:[0-9a-f]{2})+", re.IGNORECASE), 16, 2),
-}
-"""Each with the form of its numbers, its base and the digits of a frame."""
+_OCTAL: Final = "01234567"
+_HEX: Final = "0123456789abcdefABCDEF"
+_BINARY: Final = "01"
 _FEWEST = 8
+_BESIDE = ("|", "/", "  >")
+_BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
 class Dump(NamedTuple):
@@ -36,30 +32,32 @@ class Dump(NamedTuple):
         return f"a dump in {self.notation}, read as {len(self.frames):,} frames"
 
 
-def read(text: str) -> Dump:
-    """Return the frames of a dump. Raises TextError with line and column for what is none."""
-    numbers = _numbers(text)
-    for notation, (form, base, digits) in _NOTATIONS.items():
-        if numbers and all(form.fullmatch(number) for number, _ in numbers):
-            joined = "".join(number for number, _ in numbers)
-            pieces = (joined[at : at + digits] for at in range(0, len(joined), digits))
-            return Dump(notation, bytes(int(piece, base) for piece in pieces))
-    fits = _NOTATIONS["hexadecimal"][0]
-    number, index = next((each for each in numbers if not fits.fullmatch(each[0])), ("", 0))
-    raise TextError(f"{number!r} is no frame in octal, hexadecimal or binary", text, index)
+class _Row(NamedTuple):
+    """A line: its address, "" where it has none, and its numbers."""
+
+    address: str
+    numbers: list[str]
 
 
 def found(content: bytes) -> Dump | None:
     """Return the dump that a file is, None if it is anything else: other text, or few numbers."""
-    if not content.isascii() or b"\0" in content:
+    text = in_ascii(content)
+    in_braces = text.partition("= {")[2].partition("}")[0]  # of a program in C
+    rows = [_row(line) for line in lines_of(in_braces or text)]
+    rows = [row for row in rows if row.address or row.numbers]
+    colons = any(row.address and row.address != "*" for row in rows)
+    if not colons:
+        rows = _addressed(rows)
+    words = not colons and any(row.address and row.address != "*" for row in rows)
+    numbers = [number for row in rows for number in row.numbers]
+    notation = _notation(numbers, words)
+    if not notation:
         return None
-    text = content.decode()
-    try:
-        dump = read(text)
-    except TextError:
-        return None
-    many = len(_numbers(text)) >= _FEWEST or (len(dump.frames) >= 2 * _FEWEST and re.search("[a-fA-F]", text))
-    return dump if many else None
+    pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
+    frames = _placed(rows, pieces, 8) or _placed(rows, pieces, 16) or b"".join(pieces)
+    letters = any(number.strip("0123456789") for number in numbers)
+    many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and letters)
+    return Dump(notation.partition(" ")[0], frames) if many else None
 
 
 def unspelled(content: bytes) -> tuple[bytes, str]:
@@ -68,33 +66,93 @@ def unspelled(content: bytes) -> tuple[bytes, str]:
     if words is not None:
         return words.tape, words.note
     dump = found(content)
-    return (dump.frames, dump.note) if dump else (content, "")
+    return (content, "") if dump is None else (dump.frames, dump.note)
 
 
-def _numbers(text: str) -> list[tuple[str, int]]:
-    """Return the numbers of a text without marks and addresses, each with its place."""
-    lines, at = [], 0
-    for line in with_ends(text):
-        numbers = _NUMBER.finditer(_data(line))
-        lines.append([(_MARK.sub("", number[0], count=1), at + number.start()) for number in numbers])
-        at += len(line)
-    lines = [line for line in lines if line]
-    if _addressed(lines):
-        lines = [line[1:] for line in lines]
-    return [number for line in lines for number in line]
+def _is_number(text: str, digits: str, least: int, most: int) -> bool:
+    """Whether a text is a number of so many digits."""
+    return least <= len(text) <= most and not text.strip(digits)
 
 
-def _data(line: str) -> str:
-    """Return a line with blanks where its address before a colon is, without what is beside its numbers."""
-    address = _ADDRESS.match(line)
-    if not address:
-        return re.split(r"[|/]|\s{2,}>", line)[0]
-    return " " * address.end() + re.split(r"\s{2,}", line[address.end() :])[0].partition("/")[0]
+def _row(line: str) -> _Row:
+    address, colon, data = line.partition(":")
+    address = address.strip()
+    if line.strip() == "*" or (colon and _is_number(address, _HEX, 1, 16)):
+        data = data.strip().partition("  ")[0]
+    else:
+        address, data = "", line
+    for mark in _BESIDE:
+        data = data.partition(mark)[0]
+    for mark in _BETWEEN:
+        data = data.replace(mark, " ")
+    return _Row(address, [_unmarked(number) for number in data.split()])
 
 
-def _addressed(lines: list[list[tuple[str, int]]]) -> bool:
-    """Whether each line begins with an address: a number longer than all others, six digits or more."""
-    firsts = [line[0][0] for line in lines]
-    others = [number for line in lines for number, _ in line[1:]]
-    longest = max(map(len, others), default=99)
-    return all(re.fullmatch(r"[0-9a-fA-F]{6,}", first) and len(first) > longest for first in firsts)
+def _unmarked(number: str) -> str:
+    """Return a number without 0x, 0o or 0b."""
+    mark, rest = number[:2].lower(), number[2:]
+    marked = mark == "0x" or (mark == "0o" and len(rest) == 3) or (mark == "0b" and len(rest) == 8)
+    return rest if marked else number
+
+
+def _addressed(rows: list[_Row]) -> list[_Row]:
+    """Return the lines with their addresses, if each begins with one: longer than all others, six digits or
+    more.
+    """
+    with_numbers = [row for row in rows if row.numbers]
+    others = [len(number) for row in with_numbers for number in row.numbers[1:]]
+    least = max(6, max(others) + 1) if others else 99
+    if not all(_is_number(row.numbers[0], _HEX, least, 16) for row in with_numbers):
+        return rows
+    return [_Row(row.numbers[0], row.numbers[1:]) if row.numbers else row for row in rows]
+
+
+def _notation(numbers: list[str], words: bool) -> str:
+    """Return what all numbers are, "" if there is nothing that they are; `words` may be of two frames."""
+    if not numbers:
+        return ""
+    if all(_is_number(number, _BINARY, 8, 8) for number in numbers):
+        return "binary"
+    if all(_is_number(number, _OCTAL, 3, 3) and number[0] < "4" for number in numbers):
+        return "octal"
+    if words and all(_is_number(number, _OCTAL, 6, 6) and number[0] < "2" for number in numbers):
+        return "octal words"
+    if not all(_is_number(number, _HEX, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
+        return ""
+    return "hexadecimal words" if words and all(len(number) == 4 for number in numbers) else "hexadecimal"
+
+
+def _frames(number: str, notation: str) -> bytes:
+    if notation == "binary":
+        return bytes([int(number, base=2)])
+    if notation == "octal":
+        return bytes([int(number, base=8)])
+    if notation == "octal words":
+        word = int(number, base=8)
+        return bytes([word & 0o377, word >> 8])
+    places = range(len(number) - 2, -1, -2) if notation == "hexadecimal words" else range(0, len(number), 2)
+    return bytes([int(number[at : at + 2], base=16) for at in places])
+
+
+def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
+    """Return the frames at their addresses, b"" if those do not fit; * repeats the frames before it."""
+    placed = b""
+    last = b""
+    repeats = False
+    for row, piece in zip(rows, pieces, strict=True):
+        if row.address == "*":
+            repeats = True
+            continue
+        if not row.address or row.address.strip(_OCTAL if base == 8 else _HEX):
+            return b""
+        at = int(row.address, base=base)
+        while repeats and last and len(placed) < at:
+            placed += last
+        if not row.numbers:
+            return placed[:at] if at in (len(placed), len(placed) - 1) else b""
+        if at != len(placed):
+            return b""
+        repeats = False
+        last = piece
+        placed += piece
+    return placed

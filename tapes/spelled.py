@@ -1,23 +1,28 @@
 """Words of core spelled out as text, as courses and other tools have them: read by their form, and written.
 
-    octal       0200: 7300 1250          an address and words, octal; also 0200 7300 and 0200/7300
+    octal       0200: 7300 1250          an address and words, octal; also 0200 7300, 0200/7300, 0200=7300
     readmemh    @080 ec0 2a8             Verilog's $readmemh, hexadecimal
     ep          EP:080 / 080:EC0         an entry point, then an address and its word, hexadecimal
     deposits    d 200 7300 1250          deposits of a SIMH script; go, set and echo are passed over
-    bits        111011000000             a line of twelve bits for each word, from 0000 on
+    bits        111011000000             a line of twelve bits for each word, from 0000 or from @080 on
     frames      102 / 000 / 073          the frames of a BIN tape, octal, one a line, often without a checksum
 
-A file is one of these if each of its lines is; what follows `;`, `#` or `//` is a comment.
+A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
+and what is between `/*` and `*/`. Intel's hexadecimal format is not read: no tool for a PDP-8 writes it.
 """
 
 from collections.abc import Callable, Mapping
 from typing import Final, NamedTuple
 
 from tapes import binary
-from tapes.text import lines_of
+from tapes.text import in_ascii, lines_of
 
 _DIGITS: Final = "0123456789abcdef"
-_PASSED_OVER = ("g", "go", "run", "set", "echo", "reset", "quit", "exit", "load", "c", "cont")
+_PASSED_OVER = (
+    "go", "run", "set", "echo", "reset", "quit", "exit", "load", "cont", "attach", "detach", "boot",
+    "examine", "show", "step", "break",
+)  # fmt: skip
+_REGISTERS = ("pc", "sr", "ac", "l", "link", "lac", "if", "df")
 _FEWEST = 8
 """Lines of bits or frames, or words without an address."""
 _ROW = 8
@@ -57,10 +62,10 @@ class Format(NamedTuple):
 
 def found(content: bytes) -> Spelled | None:
     """Return the words that a file spells, None for any other file."""
-    if not content or not content.isascii() or b"\0" in content:
-        return None
-    lines = [line for line in map(_tokens, lines_of(content.decode("ascii"))) if line]
-    for known in FORMATS.values():
+    first, *rest = in_ascii(content).split("/*")
+    text = first + "".join([piece.partition("*/")[2] for piece in rest])
+    lines = [line for line in map(_tokens, lines_of(text)) if line]
+    for known in FORMATS.values() if lines else ():
         words: dict[int, int] = {}
         try:
             start = known.read(lines, words)
@@ -75,7 +80,7 @@ def _tokens(line: str) -> list[str]:
     """Return what is on a line without its comment."""
     for mark in (";", "#", "//"):
         line = line.partition(mark)[0]
-    return line.split()
+    return line.strip().removeprefix("sim>").split()
 
 
 def _number(text: str, base: int, least: int, most: int) -> int:
@@ -93,25 +98,27 @@ def _store(words: dict[int, int], first: int, values: list[int]) -> None:
         words[first + offset] = value
 
 
-def _single(lines: list[list[str]]) -> list[str]:
-    """Return the only token of each line. Raises ValueError for few lines, or other ones."""
-    if len(lines) < _FEWEST or any(len(line) > 1 for line in lines):
-        raise ValueError
-    return [line[0] for line in lines]
-
-
 def _read_octal(lines: list[list[str]], words: dict[int, int]) -> int:
     for line in lines:
-        numbers = " ".join(line).replace(":", " ").replace("/", " ").split()
+        text = " ".join(line)
+        marked = ":" in text or "=" in text
+        for mark in (":", "=", ",", "(", ")"):
+            text = text.replace(mark, " ")
+        place, _, rest = text.partition("/")
+        if len(place.split()) == 1:  # 0200/7300; else a comment follows
+            place += f" {rest.partition('/')[0]}"
+        numbers = place.split()
         if len(numbers) < 2:
             raise ValueError
-        _store(words, _number(numbers[0], 8, 4, 5), [_number(each, 8, 4, 4) for each in numbers[1:]])
+        least = 1 if marked and len(numbers[0]) > 2 else 4
+        first = _number(numbers[0], 8, 1 if marked else 3, 5)
+        _store(words, first, [_number(each, 8, least, 4) for each in numbers[1:]])
     return -1
 
 
 def _read_readmemh(lines: list[list[str]], words: dict[int, int]) -> int:
     address = 0
-    tokens = [token for line in lines for token in line]
+    tokens = [token.replace("_", "") for line in lines for token in line]
     if not any(token.startswith("@") for token in tokens):
         letters = any(token.strip("0123456789") for token in tokens)
         if len(tokens) < _FEWEST or not letters or any(len(token) != 3 for token in tokens):
@@ -131,9 +138,9 @@ def _read_readmemh(lines: list[list[str]], words: dict[int, int]) -> int:
 def _read_ep(lines: list[list[str]], words: dict[int, int]) -> int:
     start = -1
     for line in lines:
-        first, _, word = "".join(line).partition(":")
+        first, _, word = "".join(line).lower().replace("0x", "").partition(":")
         value = _number(word, 16, 1, 3)
-        if first.upper() == "EP":
+        if first == "ep":
             start = value
         else:
             words[_number(first, 16, 1, 3)] = value
@@ -145,29 +152,44 @@ def _read_ep(lines: list[list[str]], words: dict[int, int]) -> int:
 def _read_deposits(lines: list[list[str]], words: dict[int, int]) -> int:
     for line in lines:
         command = line[0].lower()
-        if command in _PASSED_OVER:
+        deposits = "deposit".startswith(command)
+        if not deposits and any(passed.startswith(command) for passed in _PASSED_OVER):
             continue
-        if not "deposit".startswith(command) or len(line) < 3:
+        if not deposits or len(line) < 3:
             raise ValueError
         values = [_number(each, 8, 1, 5) for each in line[2:]]
-        if line[1].lower() not in ("pc", "sr", "ac", "l", "link"):
-            _store(words, _number(line[1], 8, 1, 5), values)
+        if line[1].lower() not in _REGISTERS:
+            first, to, last = line[1].partition("-")
+            address = _number(first, 8, 1, 5)
+            many = _number(last, 8, 1, 5) - address + 1 if to else 1
+            _store(words, address, values * many if many > 1 else values)
     return -1
 
 
 def _read_bits(lines: list[list[str]], words: dict[int, int]) -> int:
-    _store(words, 0, [_number(each, 2, 12, 12) for each in _single(lines)])
+    address = 0
+    for line in lines:
+        bits = "".join(line).replace("_", "")
+        if bits.startswith("@"):
+            address = _number(bits[1:], 16, 1, 4)
+            continue
+        _store(words, address, [_number(bits[at : at + 12], 2, 12, 12) for at in range(0, len(bits), 12)])
+        address += len(bits) // 12
+    if len(words) < _FEWEST and len(words) == len(lines):
+        raise ValueError
     return -1
 
 
 def _read_frames(lines: list[list[str]], words: dict[int, int]) -> int:
-    frames = bytes(_number(each, 8, 3, 3) for each in _single(lines))
-    if binary.read_whole(frames) is not None or frames[0] >> 6 != 1 or len(frames) % 2:
+    numbers = [_number(each.removeprefix("0o"), 8, 3, 4) for line in lines for each in line]
+    if len(numbers) < _FEWEST or len(numbers) % 2 or max(numbers) >= 0o200 or numbers[0] < 0o100:
+        raise ValueError
+    if binary.read_whole(bytes(numbers)) is not None:
         raise ValueError  # a whole tape is a dump of frames
     address = 0
-    for at in range(0, len(frames), 2):
-        first, second = frames[at], frames[at + 1]
-        if first >= 0o200 or second >= 0o100:
+    for at in range(0, len(numbers), 2):
+        first, second = numbers[at], numbers[at + 1]
+        if second >= 0o100:
             raise ValueError
         value = (first & 0o77) << 6 | second
         if first >= 0o100:

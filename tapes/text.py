@@ -6,6 +6,7 @@ A line ends at CR LF, CR or LF. A form feed, a vertical tab or a separator of Un
 
 import re
 
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _ENDED = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+")
 
 
@@ -19,3 +20,9 @@ def lines_of(text: str) -> list[str]:
     """Return the lines of `text` without their ends; an empty rest is no line."""
     found = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     return found if found[-1] else found[:-1]
+
+
+def in_ascii(content: bytes) -> str:
+    """Return a file as text, without a byte order mark; "" for one that is not all ASCII."""
+    text = content[3:] if content.startswith(_BYTE_ORDER_MARK) else content
+    return "" if not text.isascii() or b"\0" in text else text.decode("ascii")

@@ -38,4 +38,6 @@ def opening(
         session.listing = last.listing
         machine.sr = start
         session.press("load_add")
+    if last.notes:
+        session.said = f"{last.name}: {'; '.join(last.notes)}"
     return session, [rim_loader, loader, last]

@@ -21,6 +21,7 @@ import { History } from "../computer/past/history.mjs";
 import { LARGEST, restore, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
+import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
 import { html, ours, put } from "./html.mjs";
 import { READABLE } from "./pictures.mjs";
@@ -203,8 +204,12 @@ export class Bench {
     const text = new TextDecoder().decode(frames);
     const source = /\.(pa[l8]?|txt|src)$/i.test(name);
     try {
+      const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
-      else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
+      else if (note) {
+        this.#tape(this.shelf.put(name, tape));
+        this.say(`${name}: ${note}`);
+      } else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
       else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (name.endsWith(".toml")) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);

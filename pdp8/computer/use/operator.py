@@ -229,8 +229,7 @@ class Operator:
         trailer, and STOP is pressed. With `force` AC may be anything, and
         STOP is pressed where the tape has run out and the loader has not halted.
         """
-        sections, words, end = _bin_sections(tape)
-        halts = end == len(tape)
+        sections, words, end, halts = _bin_sections(tape)
         tape = tape[:end]
         began = self.machine.processor.clock
         self.mount(name, tape)
@@ -313,12 +312,15 @@ def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
     return len(tape) if reading.damage else reading.end, reading.words
 
 
-def _bin_sections(tape: bytes) -> tuple[int, dict[int, int], int]:
-    """Return a BIN tape's sections, its words and the frames to read, which end with an unended checksum."""
+def _bin_sections(tape: bytes) -> tuple[int, dict[int, int], int, bool]:
+    """A BIN tape's sections, its words, the frames to read, and whether the loader halts after the last."""
     try:
         reading = binary.read(tape)
     except TapeError:
-        return 1, {}, len(tape)
+        return 1, {}, len(tape), True
     sections, words = len(reading.sections) + bool(reading.unended), binary.content(reading).words
-    end = reading.sections[-1].frame + 2 if reading.sections and not reading.unended else len(tape)
-    return sections, words, len(tape) if LEADER in tape[end:] else end
+    if not reading.sections or reading.unended:
+        return sections, words, len(tape), True
+    end = reading.sections[-1].frame + 2
+    halts = LEADER in tape[end:]
+    return sections, words, len(tape) if halts else end, halts

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from tapes import ascii, codes, spelled
+from tapes import ascii, codes, dump
 from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
 from tapes.loaders import Words
@@ -82,13 +82,10 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
     Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
     field that a machine of 4K lacks, what is no program.
     """
-    words = spelled.found(frames)
+    frames, note = dump.unspelled(frames)
     code = codes.recognise(frames)
     with naming(name):
-        if words is not None:
-            program = _loaded(words.tape, name, codes.BIN, force)
-            program.notes = (words.note, *program.notes)
-        elif code is codes.ASCII:
+        if code is codes.ASCII:
             program = _assembled([frames], [name], dialect)
         elif isinstance(code, Words):
             program = _loaded(frames, name, code, force)
@@ -96,6 +93,7 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) ->
             raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
         else:
             raise WorkError("neither PAL source nor a BIN or RIM tape")
+        program.notes = (note, *program.notes) if note else program.notes
         if not program.words:
             raise WorkError("; ".join(("no word in it goes into core", *program.notes)))
     return program

@@ -30,7 +30,7 @@ from tapes import codes
 _CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.CODES})
 
 MODULES = {
-    "tapes": "binary code codes dectape errors expression frames hydrapoint quantities rim spelled text"
+    "tapes": "binary code codes dectape dump errors expression frames hydrapoint quantities rim spelled text"
     " utf16 " + " ".join(_CODES),
     "pal": "assembler assembling assembly assembly3 diagnostics dialects disassembler isa listing meaning"
     " messages models notes punch recognition review source symbols table watched",

@@ -1083,8 +1083,8 @@ class Expressions(Types):
             and len(str(getattr(node.args[1], "value", ""))) != 1
         ):
             self.fail(node, "what fills is not one character")
-        if name == "int" and len(node.args) == 2 and whole(node.args[1]) not in (None, 8, 10):
-            self.fail(node, "a base other than 8 and 10")
+        if name == "int" and len(node.args) == 2 and whole(node.args[1]) not in (None, 2, 8, 10, 16):
+            self.fail(node, "a base other than 2, 8, 10 and 16")
         if any(isinstance(each, ast.Starred) for each in node.args) and not self.trusted:
             self.fail(node, f"unpacked arguments of {name}", "each by itself")
         target = chosen or self.program.variants(found)[0]

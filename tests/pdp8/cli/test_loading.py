@@ -1,14 +1,18 @@
 """Tapes as they are: of several sections, with labels, damaged; through every way of loading them."""
 
+import re
 from pathlib import Path
 
 import pytest
 
 import pal
 from pdp8 import shelf
+from pdp8.computer.hardware.core import Core
 from pdp8.computer.past import state
+from pdp8.console.opening import opening
+from pdp8.dap.launch import Launch
 from tapes import binary, rim
-from tests.conftest import Call
+from tests.conftest import Call, case
 
 FIRST = {0o200: 0o7001, 0o201: 0o7402}
 SECOND = {0o300: 0o1234, 0o301: 0o4321}
@@ -18,6 +22,23 @@ LABEL = bytes(8) + bytes([0o265, 0o011, 0o377, 0o001, 0, 0o176, 0o101, 0o101, 0o
 BAD = binary.encode(BOTH).replace(b"\x38\x01", b"\x3a\x01")
 """Its first word is 7201; the checksum is in frame 76."""
 
+BODY, GROUPS = (tape.strip(b"\200") for tape in (binary.encode(FIRST), rim.encode(FIRST)))
+LEADER, TITLE = bytes([0o200]) * 32, b"\xc8\xc5\xcc\xcc\xcf\x8d\x8a"
+FOUND = {  # on people's disks, and what is said of each
+    BODY + LEADER: "no leader",
+    bytes(40) + BODY + bytes(40): "40 blank frames instead of leader, passed over",
+    TITLE + LEADER + BODY + LEADER: "a label of 7 frames from frame 0 on, left out",
+    LEADER + TITLE + LEADER + BODY + LEADER: "a label of 7 frames from frame 32 on, left out",
+    LEADER + BODY + LEADER + b"\x1a": "a label of 1 frame from frame 72 on, left out",
+    GROUPS: "no leader",
+    bytes(20) + GROUPS + bytes(20): "20 blank frames instead of leader, passed over",
+    b"102\r\n000\r\n070\r\n001\r\n074\r\n002\r\n103\r\n000\r\n000\r\n000\r\n": "octal frames, one a line",
+    b"@080 // start\nE01\nf02\n": "read as Verilog's $readmemh",
+    b"EP:080\n080:E01\n081:f02\n": "read as EP, entry point and hexadecimal words; it starts at 0200",
+    b"\xef\xbb\xbf0200 7001\r\n\r\n0201 7402\r\n": "read as octal addresses and words",
+    b"; a script\nd 200 7001\ndep 201 7402\ngo 200\n": "read as deposits of a SIMH script",
+    (LEADER + BODY).hex(" ").encode(): "a dump in hexadecimal, read as 40 frames",
+}
 TAPES = {  # what is on it, what goes into core, and what is said of it
     "labels": (LABEL + bytes(8) + SECTIONS + LABEL, BOTH, "a label of 9 frames from frame 8 on, left out"),
     "rim": (rim.encode(FIRST) + LABEL, FIRST, "a label of 9 frames from frame 144 on, left out"),
@@ -37,6 +58,65 @@ def loaded(call: Call, tape: bytes, way: str, force: bool = False) -> tuple[int,
     else:
         status, shown, said = call("pdp8 monitor -", f"{way} x.bin {'force' * force}\nsave x\n".encode())
     return status, shown + said
+
+
+def at_the_debugger(*boot: str) -> tuple[Core | list[int], str]:
+    said: list[str] = []
+    monitor, program = Launch.of({"program": "x.bin", "boot": bool(boot)}).ready(said.append)
+    return monitor.machine.core, " ".join((*said, *program.notes))
+
+
+def at_the_panel(*cold: str) -> tuple[Core | list[int], str]:
+    session, _ = opening("x.bin", cold=bool(cold))
+    if cold:
+        loader, tape, *_ = session.tapes
+        assert list(session.operator.boot(loader.frames, tape.frames))
+    return session.machine.core, session.said
+
+
+def by_command(call: Call, line: str) -> tuple[Core | list[int], str]:
+    status, shown, said = call(line)
+    assert status == 0
+    words = (
+        pal.assemble(shown).words if "dis" in line else rim.decode(shown.encode("utf-8", "surrogateescape"))
+    )
+    return [words.get(address, 0) for address in range(0o10000)], said
+
+
+def in_the_machine(call: Call, tape: bytes, way: str) -> tuple[Core | list[int], str]:
+    status, said = loaded(call, tape, way)
+    assert status == 0
+    return state.restore(Path("x").read_text()).core, said
+
+
+@pytest.mark.parametrize("tape", FOUND, ids=FOUND.values())
+def test_every_command_reads_it(tape: bytes, call: Call) -> None:
+    Path("x.bin").write_bytes(tape)
+    for way in (
+        "run",
+        "run --boot",
+        "load",
+        "boot",
+        "dap",
+        "dap boot",
+        "panel",
+        "panel --cold",
+        "dis",
+        "convert",
+    ):
+        name, *more = way.split()
+        if name == "dap":
+            core, said = at_the_debugger(*more)
+        elif name == "panel":
+            core, said = at_the_panel(*more)
+        elif name in ("dis", "convert"):
+            core, said = by_command(call, f"pdp8 {way.replace('convert', 'tape convert --to rim')} x.bin")
+        else:
+            core, said = in_the_machine(call, tape, way)
+        with case(way, said):
+            assert {address: core[address] for address in FIRST} == FIRST
+            assert FOUND[tape] in said
+    assert re.search("tape +(BIN|RIM)", call("pdp8 tape info x.bin")[1])
 
 
 @pytest.mark.parametrize("way", ["run", "run --boot", "load", "boot"])

@@ -9,6 +9,7 @@ from pdp8 import shelf
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.state import LARGEST, restore, save
+from tapes import binary
 from tests.pdp8.web.browsing import Tab
 from tests.pdp8.web.follower import state as values
 
@@ -68,6 +69,9 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     tab.until("workbench.editor.name === 'other.pal'")
     assert "longer than" not in tab.run(f"return {_NEXT}")
     assert tab.run(f"return {_TTY}.reader.tape.length") == 5
+    drop(tab, "dump.txt", b"0200: 7300 7402\n")
+    tab.until(f"{_NEXT}.includes('dump.txt: read as octal addresses and words')")
+    assert bytes(tab.run(f"return [...{_TTY}.reader.tape]")) == binary.encode({0o200: 0o7300, 0o201: 0o7402})
     drop(tab, "photo.png", picture, "#reader")
     tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
 

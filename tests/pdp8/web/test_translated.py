@@ -9,8 +9,9 @@ import pytest
 import pal
 from nc import machine
 from pdp8 import shelf
-from tapes import codes
+from tapes import codes, dump
 from tests.pal.random_pal8 import PAL8, faulty, written
+from tests.pdp8.cli.test_loading import FOUND
 from tests.pdp8.web.node import HOUSE, called, in_node, needs_node, plain
 
 pytestmark = needs_node
@@ -18,9 +19,11 @@ pytestmark = needs_node
 _MADE = "tape words listing lines symbols stopped"
 _READ = """async (tapes) => {
   const { recognise } = await import("@/tapes/codes.mjs");
-  return tapes.map((tape) => {
+  const { unspelled } = await import("@/tapes/dump.mjs");
+  return tapes.map((content) => {
+    const [tape, note] = unspelled(content);
     const code = recognise(tape);
-    return [code.name, code.captions(tape), code.labels(tape)];
+    return [code.name, code.captions(tape), code.labels(tape), note];
   });
 }"""
 _ASSEMBLE = """async ([made, sources]) => {
@@ -101,6 +104,8 @@ def test_tapes_and_the_milling_machine() -> None:
     there = called(*((each.__module__.replace(".", "/"), each.__name__, tape) for each, tape in calls))
     for (call, tape), found in zip(calls, there, strict=True):
         assert found == _here(call, tape), (call.__name__, tape[:60])
-    for tape, read in zip(tapes, in_node(_READ, tapes), strict=True):
+    tapes += FOUND
+    for content, read in zip(tapes, in_node(_READ, tapes), strict=True):
+        tape, note = dump.unspelled(content)
         code = codes.recognise(tape)
-        assert read == plain([code.name, code.captions(tape), code.labels(tape)]), tape[:60]
+        assert read == plain([code.name, code.captions(tape), code.labels(tape), note]), content[:60]

@@ -314,7 +314,7 @@ def texts() -> Any:
         "abc"[1:], "abc"[-1], "abc"[0:-1], "abc"[1 : {}.get("x")], f"`${{x}}{number}`", "aZ".translate({ord("a"): "b", ord("Z"): None}), "x" * 3, ord("A"), chr(0o101),
         f"{number:04o} {number:5}|{number:6,}|{-number:06}|{part:+.1f}|{part:g}|{part:8.3f}|{'x':3}|{number:x}",
         f"{part!r} {text!r} {number / 2} {number // 2} {1e20} {1e-7} {True} {None} {[1, 'x']} {0.1 + 0.2} {100.0:,}",
-        f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g}", str(5.0), str(5), repr("it's"), int("17", 8),
+        f"{2.5:.0f} {3.5:.0f} {0.125:.2f} {1e15:.1f} {1234567.0:g} {0.00001:g}", str(5.0), str(5), repr("it's"), int("17", 8), int("fF", 16), int("0b11", 2),
         round(2.5), round(3.5), round(2.675, 2), round(-0.5), f"{5.0:05}", f"{'é'!r}", "{}`${x}",
         [name.endswith((".bin", ".rim")) for name in ("a.rim", "a.eia")], "abc".startswith(("b", "x"), 1),
         "a".startswith(()), "x".ljust(3, "@") + "y".rjust(3),
