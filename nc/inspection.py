@@ -20,7 +20,7 @@ Sources: thesis, Chapters 6 and 7 (tolerance band, Talyrond: trough to peak at t
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +43,8 @@ _TIE = 1e-6
 """Of two stations as near, at a corner, the one whose normal leads to the place is taken."""
 _LEFT = 0.05
 """Thousandths by which a wall of the curve may be cut from elsewhere on it."""
+_ALONG = 0.1
+"""Part of the radius: a normal that is in a cut for so much longer goes along it."""
 _EVERY = 8
 _TURNS, _FINE = 50, 16
 """How many of the lowest and highest places are looked at closely, and into how many parts a step goes."""
@@ -160,11 +162,11 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
         )
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(_corners(cuts))))
     stations = curve.stations(count)
-    measured = _to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations, cuts)
+    measured = _met(_to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations))
     if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
     finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points)
-    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations, cuts))))
+    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations))))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     centre = _centre(cuts, stations, cutter)
     return Inspection(curve, cutter, tolerance, measured, centre, stepwise, path.gap, readings)
@@ -236,28 +238,54 @@ def segments(moves: Sequence[Move]) -> Floats:
 def walls(
     cuts: Floats, stations: Stations, radius: float, part_wall: str = "", path: Floats | None = None
 ) -> Walls:
-    """Return the exact walls that a cutter of this radius leaves at the stations along the cuts (n, 4)."""
-    outer, inner = np.full(len(stations), -np.inf), np.full(len(stations), np.inf)
+    """Return the exact walls that a cutter of this radius leaves at the stations along the cuts (n, 4).
+
+    An error is infinite where the normal goes along a cut and meets no wall.
+    """
     corners = _corners(cuts)
     sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
     low, high = np.minimum(sides[:, :2], sides[:, 2:]), np.maximum(sides[:, :2], sides[:, 2:])
+    ends = np.full((2, len(stations)), np.nan)
+    reach = 2 * radius if part_wall else radius  # beyond a tip, as far as a normal may go on
     for number, here in enumerate(_groups(stations)):
-        group = slice(number * _GROUP, (number + 1) * _GROUP)
-        for through, parts, *box in (
-            (_through_discs, corners, corners, corners),
-            (_through_sides, sides, low, high),
-        ):
-            for near in _about(here.points, radius, *box):
-                enter, leave = through(here, parts[near], radius)
-                cut = (enter <= 0) & (leave >= 0)
-                inner[group] = np.minimum(inner[group], np.where(cut, enter, np.inf).min(axis=1))
-                outer[group] = np.maximum(outer[group], np.where(cut, leave, -np.inf).max(axis=1))
+        through = [
+            crossed(here, parts[near], radius)
+            for crossed, parts, *box in (
+                (_through_discs, corners, corners, corners),
+                (_through_sides, sides, low, high),
+            )
+            for near in _about(here.points, reach, *box)
+        ]
+        if through:
+            enter, leave = (np.concatenate(each, axis=1) for each in zip(*through, strict=True))
+            ends[:, number * _GROUP : (number + 1) * _GROUP] = _cut_through(enter, leave, radius, part_wall)
     path = stations.points if path is None else path
     found = {}
-    for wall, error, sign in (("outer", outer - radius, 1), ("inner", inner + radius, -1)):
+    for wall, error, sign in (("outer", ends[1] - radius, 1), ("inner", ends[0] + radius, -1)):
         stands = wall == part_wall if part_wall else _stands(stations, sign * radius, path[::_EVERY])
-        found[wall] = np.where(np.isfinite(error) & stands, error, np.nan)
+        found[wall] = np.where(stands, error, np.nan)
     return Walls(stations, found["outer"], found["inner"], part_wall)
+
+
+def _cut_through(enter: Floats, leave: Floats, radius: float, part_wall: str) -> Floats:
+    """How far each station's normal is within cuts inward and outward, (2, stations), by where it enters and
+    leaves each, (stations, cuts); nan where it starts in none, infinite along a side of the part.
+
+    Of a slot only the cuts that it starts in count: another cut may cross it.
+    """
+    first = ends = np.zeros((2, len(enter)))
+    while True:
+        within = (enter <= ends[1][:, None]) & (leave >= ends[0][:, None])
+        further = np.array(
+            [np.where(within, enter, np.inf).min(axis=1), np.where(within, leave, -np.inf).max(axis=1)]
+        )
+        if first is ends:
+            first = np.where(within.any(axis=1), further, np.nan)
+        ends, before = np.where(np.isnan(first), np.nan, further), ends
+        if not part_wall:
+            return ends
+        if np.array_equal(ends, before, equal_nan=True):
+            return np.where(np.abs(ends - first) > _ALONG * radius, np.copysign(np.inf, ends), ends)
 
 
 def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
@@ -274,11 +302,8 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
     return np.asarray(np.interp(np.arange(len(stations)), some, left) == 1)
 
 
-def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) -> Walls:
-    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off.
-
-    A normal that leads into what is cut from the tip's other side meets no wall: its neighbours' error holds.
-    """
+def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
+    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off."""
     if not (measured.part_wall and len(curve.tips)):
         return measured
     edge, here = (
@@ -286,30 +311,22 @@ def _to_edge(curve: Curve, measured: Walls, stations: Stations, cuts: Floats) ->
         for each in (stations, measured.stations)
     )
     off = measured.by_name[measured.part_wall].copy()
-    reach = 3 * float(np.nanmax(np.abs(off))) + 1
+    reach = 3 * float(np.abs(off[np.isfinite(off)]).max(initial=0)) + 1
     near = np.flatnonzero(np.isfinite(off) & np.isfinite(_off(here.points, _at(curve.tips), reach)))
-    places = here.points[near] + off[near, None] * here.normals[near]
-    off[near] = _off(places, edge, 2 * reach)
-    off[near[_is_cut(places, cuts, abs(curve.beside) - _LEFT)]] = np.nan
-    left = np.flatnonzero(np.isfinite(off))
-    off[near] = np.interp(near, left, off[left])
-    both = {"outer": measured.outer, "inner": measured.inner, measured.part_wall: off}
-    return Walls(measured.stations, both["outer"], both["inner"], measured.part_wall)
+    off[near] = _off(here.points[near] + off[near, None] * here.normals[near], edge, 2 * reach)
+    return replace(measured, outer=off) if curve.beside < 0 else replace(measured, inner=off)
 
 
-def _is_cut(places: Floats, cuts: Floats, radius: float) -> NDArray[np.bool_]:
-    """Which of the places (n, 2) are within `radius` of a cut."""
-    found = np.zeros(len(places), dtype=np.bool_)
-    low, high = np.minimum(cuts[:, :2], cuts[:, 2:]), np.maximum(cuts[:, :2], cuts[:, 2:])
-    for first in range(0, len(places), _GROUP):
-        group = places[first : first + _GROUP]
-        for near in _about(group, radius, low, high):
-            way, from_start = cuts[near, 2:] - cuts[near, :2], group[:, None] - cuts[near, :2]
-            length = np.maximum((way * way).sum(axis=1), _TIE)
-            part = np.clip((from_start * way).sum(axis=2) / length, 0, 1)
-            away = from_start - part[:, :, None] * way
-            found[first : first + _GROUP] |= ((away * away).sum(axis=2) < radius * radius).any(axis=1)
-    return found
+def _met(measured: Walls) -> Walls:
+    """The walls, with the error of the neighbours where a normal meets none."""
+
+    def filled(error: Floats) -> Floats:
+        met = np.flatnonzero(np.isfinite(error))
+        if not len(met):
+            return np.full_like(error, np.nan)
+        return np.where(np.isinf(error), np.interp(np.arange(len(error)), met, error[met]), error)
+
+    return replace(measured, outer=filled(measured.outer), inner=filled(measured.inner))
 
 
 def _at(points: Floats) -> Stations:
@@ -422,6 +439,6 @@ def _readings_at(
 ) -> Iterator[Reading]:
     for wall, deviation in measured.by_name.items():
         seen = deviation[chosen]
-        seen = seen[~np.isnan(seen)]
+        seen = seen[np.isfinite(seen)]
         if len(seen):
             yield Reading(name, angle, wall, float(seen.min()), float(seen.max()))
