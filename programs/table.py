@@ -38,6 +38,7 @@ _COMMENT = re.compile(r"^\s*(//|!|%|#(?!(DIV|N/A|NV|REF|BEZUG|VALUE|WERT|NAME|NU
 _KEYS = re.compile(r"\b([xyz])\s*[:=]\s*([-+\d.,e]+)", re.IGNORECASE)
 _NAMED = re.compile(r"^\s*[a-z_]\w*\s+(?=[-+.\d])", re.IGNORECASE)
 _OTHERS = {b"PK": "a workbook: save its sheet as CSV", b"<": "XML or SVG: export the points as CSV"}
+_RADIANS = {"rad", "radian", "radians"}
 _X_NAMES, _Y_NAMES, _ANGLES, _RADII = (
     {"x", "rechtswert", "easting"},
     {"y", "hochwert", "northing"},
@@ -150,9 +151,9 @@ class _Table:
         """Whether a row has numbers; take its names and units, if it is of a header."""
         numbers = sum(_number(cell, self._point) is not None for cell in row.cells)
         names = [set(re.findall(r"[a-z]+", cell.lower())) for cell in row.cells]
-        for unit in {word for each in names for word in each} & _INCHES.keys():
-            if numbers < 2:
-                self._unit, self._unit_line = unit, row.number
+        words = [word for cell in row.cells for word in re.findall(r"[a-z]+", cell.lower())]
+        for unit in (word for word in words if word in _INCHES and numbers < 2):  # of "X in mm" the last
+            self._unit, self._unit_line = unit, row.number
         if numbers > 1:
             return True
         if any(map(_X_NAMES.__and__, names)) or any(map(_ANGLES.__and__, names)):
@@ -194,6 +195,7 @@ class _Table:
                 x, y = ([at for at, name in enumerate(names) if name & each] for each in (xs, ys))
                 if x and y:
                     self._x, self._y, self._polar = x[0], y[0], polar
+                    self._turn = 1.0 if names[y[0]] & _RADIANS else radians(1)
                     return
             raise WorkError(f"line {self._header.number}: which columns are x and y? {self._header.text!r}")
         if columns > 2 and self._counts():
@@ -228,7 +230,7 @@ class _Table:
                 self._unit, self._unit_line = unit, row.number
             pair.append(number)
         x, y = pair
-        return (x * cos(radians(y)), x * sin(radians(y))) if self._polar else (x, y)
+        return (x * cos(y * self._turn), x * sin(y * self._turn)) if self._polar else (x, y)
 
 
 def lines(points: Points) -> Iterator[str]:

@@ -26,6 +26,7 @@ def german(form: str, scale: float = 1) -> list[str]:
 FILES = {
     "Excel, German": lines(german("{0:.4f};{1:.4f}"), "X;Y").replace("\n", "\r\n"),
     "Excel, German, mm": lines(german("{0:.3f};{1:.3f}", 25.4), "X [mm];Y [mm]"),
+    "Excel, a unit in words": lines(german("{0:.3f};{1:.3f}", 25.4), "X in mm;Y in mm"),
     "Excel, a row of units": lines(german("{0:.3f};{1:.3f}", 25.4), "X;Y", "mm;mm"),
     "Excel, sep=": lines(rows("{0:.4f},{1:.4f},,"), "sep=,"),
     "Excel, Unicode text": "\ufeff" + lines(german("{0:.4f}\t{1:.4f}"), "X\tY"),
@@ -59,6 +60,7 @@ def test_an_angle_and_a_radius_are_polar() -> None:
     found = read(text.encode()).places
     assert [hypot(*place) for place in found] == pytest.approx([1.5, 2, 1])
     assert found[1] == pytest.approx((0, 2))
+    assert read(b"theta (rad),r\n1.570796,2\n3.141593,1\n0,1\n").places[0] == pytest.approx((0, 2), abs=1e-6)
 
 
 @pytest.mark.parametrize(
