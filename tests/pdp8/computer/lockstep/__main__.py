@@ -3,8 +3,8 @@
     python -m tests.pdp8.computer.lockstep INSTRUCTIONS [SEED [PROCESSES]]
 
 Each situation is played compiled and in JavaScript; one in four, a shorter one, in the plain form too; one in
-a hundred is at the Teletype, one in twenty at the panel, one in five with the rack. Ends with exit status 1 at the first difference,
-after it has shrunk the situation to a listing.
+a hundred is at the Teletype, one in twenty at the panel, one in five with the rack. Ends with exit status 1
+at the first difference, after it has shrunk the situation to a listing.
 """
 
 import multiprocessing
