@@ -82,11 +82,11 @@ claims: .venv/ready-check ## run the test of every claim about the thesis, then 
 faults: .venv/ready-check ## put each fault of tests/faults/ into a copy; a test has to find it
 	$(BIN)/python -m tests.faults -j $(shell nproc)
 
-ROOM ?=
+PACKAGE ?=
 SAMPLE ?= 0
 .PHONY: mutants
-mutants: .venv/ready-check ## change one thing at a time; list what no test finds (ROOM=nc SAMPLE=300 SINCE=main)
-	nice $(BIN)/python -m tests.mutation $(ROOM) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc)
+mutants: .venv/ready-check ## change one thing at a time; list what no test finds (PACKAGE=nc SAMPLE=300 SINCE=main)
+	nice $(BIN)/python -m tests.mutation $(PACKAGE) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc)
 
 COUNT ?= 100000
 .PHONY: fuzz

@@ -69,16 +69,14 @@ class BlockError(TapeError):
 
 
 class Row(NamedTuple):
-    """A block's place: its number, counted from 1, the frame of its first row, and all frames if some were
-    skipped.
-    """
+    """A block's place: its number from 1, the frame of its first row, and all frames if any is skipped."""
 
     number: int
     frame: int
     frames: tuple[int, ...] = ()
 
     def error(self, row: int, message: str) -> BlockError:
-        """Return the error of this block's row 1 to 20."""
+        """Return the BlockError for one of this block's rows, 1 to 20."""
         frame = self.frames[row - 1] if row <= len(self.frames) else self.frame + row - 1
         return BlockError(message, frame, self.number, row)
 
@@ -110,7 +108,7 @@ def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
 
 
 def _first_row(frames: bytes) -> int:
-    """Return the frame of the first row that is to be under the head."""
+    """Return the frame at which the first row of the first block is read."""
     punched = len(frames) - len(frames.lstrip(b"\0"))
     zeros_are_punched = any(frame & ~HEAD for frame in set(frames))
     closed = frames.find(END_OF_BLOCK) - DIGITS

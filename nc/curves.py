@@ -71,7 +71,7 @@ class Curve(ABC):
 
     @property
     def tips(self) -> Floats:
-        """The corners of it, (n, 2)."""
+        """The corners of the curve, (n, 2)."""
         return np.empty((0, 2))
 
     def stations(self, count: int) -> Stations:
@@ -85,12 +85,12 @@ class Curve(ABC):
         """Return points (n, 2) and normals (n, 2) at these parts of its length, (n,), 0 to 1."""
 
     def limit(self, stations: Stations, tolerance: float) -> Floats:
-        """Return the limit of a band at the stations, (n, 2), outside of (left of) the curve for +."""
+        """Return one limit of a band, (n, 2); `tolerance` + is outside (left) of the curve."""
         return stations.points + tolerance * stations.normals
 
     @abstractmethod
     def said(self, unit: Unit) -> str:
-        """Return what the curve is and where, in words."""
+        """Return a description of the curve and its place."""
 
     def __str__(self) -> str:
         return self.said(INCH)
@@ -141,7 +141,7 @@ class Ellipse(Curve):
         return np.asarray(np.divide(value - 1, slope, out=inmost, where=slope > 0))
 
     def said(self, unit: Unit) -> str:
-        """Return its centre and radius or semi-axes."""
+        """Return a description of its centre and radius or semi-axes."""
         a, b = unit.said(self.a), unit.said(self.b)
         kind, size = ("circle", f"radius {a}") if self.a == self.b else ("ellipse", f"semi-axes {a} and {b}")
         place = f"centre {_place(unit, self.x, self.y)}"
@@ -181,7 +181,7 @@ class StraightLine(Curve):
         return np.asarray([-direction[1], direction[0]] / np.hypot(direction[0], direction[1]))
 
     def said(self, unit: Unit) -> str:
-        """Return its ends."""
+        """Return a description of its ends."""
         ends = _place(unit, self.x1, self.y1), _place(unit, self.x2, self.y2)
         return f"line from {' to '.join(ends)}{_GUESSED * self.guessed}"
 
@@ -220,7 +220,7 @@ class Graph(Curve):
         return np.array([value(place) for place in x])
 
     def said(self, unit: Unit) -> str:
-        """Return its expression, which is in inches, and its origin."""
+        """Return a description of its expression, in inches, and its origin."""
         inches = ", in inches" if unit is not INCH else ""
         return (
             f"{self._kind('curve')} y = {self.expression}{inches}, x from {self.first:g} to {self.last:g}, "
@@ -230,7 +230,7 @@ class Graph(Curve):
 
 @dataclass(frozen=True, eq=False)
 class Outline(Curve):
-    """A closed line through `corners`, (n, 2), counterclockwise, about `x`, `y`; `what` it is, in words."""
+    """A closed line through `corners`, (n, 2), counterclockwise, about `x`, `y`; `what` describes it."""
 
     closed = True
 
@@ -264,14 +264,14 @@ class Outline(Curve):
 
     @property
     def tips(self) -> Floats:
-        """The points where it turns by more than the points of a curve do."""
+        """The points where it turns by more than a curve's points do."""
         sides = np.roll(self.corners, -1, axis=0) - self.corners
         ways = np.arctan2(sides[:, 1], sides[:, 0])
         turns = (ways - np.roll(ways, 1) + np.pi) % (2 * np.pi) - np.pi
         return self.corners[np.abs(turns) > _CORNER]
 
     def said(self, unit: Unit) -> str:
-        """Return what it is, and its centre."""
+        """Return a description of the outline and its centre."""
         return f"{self._kind(self.what)}, centre {_place(unit, self.x, self.y)}"
 
 

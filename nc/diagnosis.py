@@ -14,7 +14,7 @@ _SHOWN = 5
 
 
 def notes(frames: bytes) -> tuple[str, ...]:
-    """Return what is doubtful on an EIA tape and yet passes under the head, which does not check parity."""
+    """Return what is doubtful on an EIA tape but not noticed by the reader, which does not check parity."""
     found = doubts.find(frames, codes.EIA) if codes.recognise(frames) is codes.EIA else []
     shown = [f"{doubt}; the head does not check parity" for doubt in found[:_SHOWN] if doubt.seen]
     return (*shown, *[f"and {len(found) - _SHOWN} more"] * (len(found) > _SHOWN))
@@ -52,7 +52,7 @@ def _in_another_code(frames: bytes, code: Code, error: BlockError) -> str:
 
 
 def _in_block(frames: bytes, error: BlockError) -> str:
-    """Return what does not belong into the block that was refused: blank tape, rubouts, an end too many."""
+    """Return what is wrong inside the refused block: blank tape, rubouts, or an extra end of block."""
     start = (error.frame or 0) - error.row + 1
     block = range(start, start + ROWS)
     for gap in codes.EIA.gaps(frames):

@@ -53,17 +53,17 @@ def around(points: Iterable[Sequence[float]]) -> Window:
 
 
 def number(value: float) -> str:
-    """Return a coordinate on paper, short."""
+    """Return a coordinate on paper in as few characters as possible."""
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def signed(deviation: float) -> str:
-    """Return thousandths of an inch as the scale of a graph of errors has them, in inches."""
+    """Return an error in thousandths as the scale of a graph shows it, in inches."""
     return f"{deviation / 1000:+.3f}" if deviation else "0"
 
 
 def round_step(least: float) -> int:
-    """Return the least of 1, 2, 5, 10, 20, 50, ... that is not less; `least` is 1 or more."""
+    """Return the least of 1, 2, 5, 10, 20, 50, ... that is at least `least`, which is 1 or more."""
     decade: int = 10 ** floor(log10(least))
     return next(step * decade for step in (1, 2, 5, 10) if step * decade >= least)
 
@@ -94,7 +94,7 @@ class Sheet:
         self._views = 0
 
     def draw(self, tag: str, parent: ET.Element | None = None, /, **attributes: object) -> ET.Element:
-        """Add an element; `stroke_width` is written stroke-width."""
+        """Add an element; underscores in attribute names become hyphens."""
         named = {
             name.replace("_", "-"): number(value) if isinstance(value, int | float) else str(value)
             for name, value in attributes.items()
@@ -201,7 +201,7 @@ class View:
 
 
 def _tick(scale: float, unit: Unit) -> tuple[float, int]:
-    """Return the step of a scale, thousandths of an inch, and its places."""
+    """Return the step of a scale in thousandths of an inch, and its decimal places."""
     thousandth = 1000 * unit.scale
     step = round_step(max(1, 10 * _APART / scale * thousandth))
     return step / thousandth, 1 if step >= 100 else 2 if step >= 10 else 3

@@ -74,7 +74,7 @@ def _ezdxf() -> Iterator[ModuleType]:
 
 
 class _Drawing:
-    """The drawing, in its unit, and what of it is drawn."""
+    """The drawing, in its unit, and what has been drawn."""
 
     def __init__(
         self, drawing: "Drawing", path: Path, shift: tuple[float, float], depth: bool, unit: Unit
@@ -91,7 +91,7 @@ class _Drawing:
         self._places: list[tuple[float, float, float]] = []
 
     def draw(self, curve: Curve | None, cutter: float) -> None:
-        """Draw everything, and say how far it goes."""
+        """Draw everything and set the extents."""
         end = None
         for run in self._runs():
             start = run[0].start
@@ -134,6 +134,6 @@ class _Drawing:
         self._places += line
 
     def _at(self, x: float, y: float, z: float | None = None) -> tuple[float, float, float]:
-        """Return a place of the table, thousandths, in the drawing."""
+        """Return the drawing's coordinates of a place on the table, in thousandths."""
         down = self._top - z if self._depth and z is not None else 0.0
         return self._unit.of(x + self._shift[0]), self._unit.of(y + self._shift[1]), self._unit.of(down)

@@ -52,9 +52,7 @@ class Output(NamedTuple):
 
 
 def gcode(path: Path, output: Output = Output()) -> Iterator[str]:  # noqa: B008  # it is frozen
-    """Yield the lines. Raises WorkError if the tape cuts nothing, cuts with the spindle off, or taps without
-    a pitch.
-    """
+    """Yield the lines. Raises WorkError if nothing is cut, the spindle is off, or a tap has no pitch."""
     cutting = [*filter(_cuts, path.steps)]
     if not cutting:
         raise WorkError("no block of this tape cuts: there is nothing for a mill to do")
@@ -129,7 +127,7 @@ def _header(path: Path, program: "_Program", points: list[int]) -> Iterator[str]
 
 
 def _positions(path: Path, unit: Unit) -> list[str]:
-    """Return the places to which the table goes, and where the next cut does not begin."""
+    """Return the places at which the table stops and the next cut does not begin."""
     passed, following = [], None
     for step in reversed(path.steps):
         if _cuts(step):
@@ -209,7 +207,7 @@ class _Program:
             self._go("G1", note, speed, end_x, end_y, end_z)
 
     def _stop(self) -> None:
-        """Write what waits for this cut; afterwards the mill may be anywhere, at rest."""
+        """Write the stops that waited for this cut; afterwards the mill may be anywhere, at rest."""
         for code, what in self._waiting:
             if code == "M0" and not self.rates[0]:
                 self.left_out.append(what)
@@ -232,7 +230,7 @@ class _Program:
         self._turning, self._coolant = speed, coolant
 
     def _word(self, place: float) -> str:
-        """Return a place as it is written."""
+        """Return a coordinate as the program writes it."""
         word = self._words.get(place)
         if word is None:
             word = self._words[place] = self.output.unit.said(place, 4)

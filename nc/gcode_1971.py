@@ -48,7 +48,7 @@ def gcode_1971(path: Path, pitch: float = 0, unit: Unit = INCH) -> Iterator[str]
 
 
 def _numbered(step: Step, lines: list[str]) -> Iterator[str]:
-    """Number the lines as their block, as far as RS-274's five digits go, and add its digits as a comment."""
+    """Give each line its block's number, within RS-274's five digits, and the block's digits as a comment."""
     number = f"N{step.number} " if step.number <= 99_999 else ""
     *first, last = lines or [""]
     for line in first:
@@ -79,7 +79,7 @@ def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
 
 
 def _words(move: Move, unit: Unit) -> str:
-    """Return the axes that move; a position names both X and Y, as a controller may be anywhere before it."""
+    """Return the axes that move; a position names both X and Y, because a controller may start anywhere."""
     start, end = _signed(move.start), _signed(move.end)
     whole = "XY" if move.kind == MoveKind.POSITION else ""
     return " ".join(

@@ -54,9 +54,7 @@ _PIECE = 10.0
 
 @dataclass(frozen=True, eq=False)
 class Walls:
-    """The error of each wall at each station, (n,), thousandths outward; nan: no wall. `part_wall` is the
-    part's.
-    """
+    """The error of each wall at each station, (n,), thousandths outward or nan; `part_wall` is the part's."""
 
     stations: Stations
     outer: Floats
@@ -65,16 +63,14 @@ class Walls:
 
     @property
     def by_name(self) -> dict[str, Floats]:
-        """The walls that are measured, by what they are called in reports and drawings."""
+        """The measured walls by the names that reports and drawings use."""
         both = {"outer": self.outer, "inner": self.inner}
         return {self.part_wall: both[self.part_wall]} if self.part_wall else both
 
 
 @dataclass(frozen=True)
 class Reading:
-    """The lowest and highest error of a wall, thousandths outward, near normals at `angle` degrees; None:
-    anywhere.
-    """
+    """The least and greatest error of a wall, thousandths outward, at normals of `angle` degrees or all."""
 
     place: str
     angle: float | None
@@ -112,13 +108,13 @@ class Inspection:
 
     @property
     def worst(self) -> Reading:
-        """The reading of the greatest trough to peak at one place, or of the whole if there is no other."""
+        """The reading with the greatest trough to peak at one place, or that of the whole curve."""
         places = [reading for reading in self.readings if reading.angle is not None] or self.readings
         return max(places, key=lambda reading: reading.trough_to_peak)
 
     @property
     def furthest(self) -> Reading:
-        """The reading of the greatest error, at a place if it is at one."""
+        """The reading with the greatest error, at one place if possible."""
         return max(self.readings, key=lambda reading: (abs(reading.error), reading.angle is not None))
 
     @property
@@ -133,7 +129,7 @@ class Inspection:
 
     @property
     def without(self) -> dict[str, float]:
-        """The part of the curve, 0 to 1, along which the cutter left no such wall."""
+        """The part of the curve, 0 to 1, along which this wall is missing."""
         uncut = self.uncut
         return {wall: float(np.isnan(error).mean()) - uncut for wall, error in self.walls.by_name.items()}
 
@@ -202,13 +198,13 @@ def _off(places: Floats, stations: Stations, reach: float) -> Floats:
 
 
 def _groups(stations: Stations) -> Iterator[Stations]:
-    """Yield the stations, some at a time."""
+    """Yield the stations in groups."""
     for first in range(0, len(stations), _GROUP):
         yield stations.part(slice(first, first + _GROUP))
 
 
 def _about(points: Floats, reach: float, low: Floats, high: Floats) -> Iterator[NDArray[np.intp]]:
-    """Yield the indices of boxes (n, 2) within `reach` of the box about the points, some at a time."""
+    """Yield, in groups, the indices of boxes (n, 2) within `reach` of the points' bounding box."""
     floor, ceiling = points.min(axis=0) - reach, points.max(axis=0) + reach
     near = np.flatnonzero(((high >= floor) & (low <= ceiling)).all(axis=1))
     for first in range(0, len(near), _AT_ONCE):
@@ -289,7 +285,7 @@ def _cut_through(enter: Floats, leave: Floats, radius: float, part_wall: str) ->
 
 
 def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
-    """Return where the wall `off` the curve is left by a cutter of that radius that goes along `path`."""
+    """Whether the wall `off` the curve remains after a cutter of that radius goes along `path`."""
     some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
     nearest = np.full(len(some), np.inf)
     for number, here in enumerate(_groups(stations.part(some))):
@@ -330,12 +326,12 @@ def _met(measured: Walls) -> Walls:
 
 
 def _at(points: Floats) -> Stations:
-    """Return stations at points of no curve."""
+    """Return stations at points that belong to no curve."""
     return Stations(points, np.zeros_like(points), np.zeros(len(points)))
 
 
 def _finer(measured: Walls) -> Stations:
-    """Return stations close about the places where the walls turn that are furthest in and out."""
+    """Return more stations close to the innermost and outermost turning points of the walls."""
     turns: set[int] = set()
     for error in measured.by_name.values():
         for level in (error, -error):
@@ -354,7 +350,7 @@ def _finer(measured: Walls) -> Stations:
 
 
 def _joined(one: Walls, other: Walls) -> Walls:
-    """Return the walls at the stations of both, for readings."""
+    """Return the walls at both sets of stations, for readings."""
     here, there = one.stations, other.stations
     stations = Stations(
         np.concatenate([here.points, there.points]),

@@ -47,7 +47,7 @@ def _or_dash(value: float | None, form: str) -> str:
 
 
 def does(step: Step) -> str:
-    """Return in words what the block does."""
+    """Describe what the block does."""
     return "; ".join(words for words in (_moves(step), _function(step)) if words)
 
 
@@ -60,7 +60,7 @@ def spaced(block: Block) -> str:
 
 
 def in_force(step: Step) -> str:
-    """Return in words the place of the cutter after the block, and what is in force."""
+    """Describe the cutter's place after the block and what is in force."""
     modes = step.modes
     feeds = ", ".join(
         f"{axis} feed {feed:.1f}"

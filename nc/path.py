@@ -31,13 +31,13 @@ class Position(NamedTuple):
     z: float
 
     def distance(self, other: "Position") -> float:
-        """Return how far it is from here to there."""
+        """Return the distance between two positions."""
         x, y, z = other.x - self.x, other.y - self.y, other.z - self.z
         return sqrt(x * x + y * y + z * z)
 
 
 class Knot(NamedTuple):
-    """A place that the cutter goes to, straight; the second at which it is there; whether it cuts its way."""
+    """A place that the cutter reaches straight, the second of arrival, and whether it cuts on the way."""
 
     second: float
     x: float
@@ -46,7 +46,7 @@ class Knot(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where the cutter is: behind which knot, in which block, counted from 0, and whether it cuts."""
+    """Where the cutter is: after which knot, in which block (from 0), and whether it cuts."""
 
     knot: int
     x: float
@@ -113,7 +113,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds at the machine, by what it was doing."""
+    """Seconds at the machine by activity."""
 
     reading: float
     positioning: float
@@ -212,7 +212,7 @@ class Path:
 
     @cached_property
     def knots(self) -> list[Knot]:
-        """The way of the cutter, from where the table is parked."""
+        """The cutter's path from the parking place on."""
         found = [Knot(0.0, 0.0, 0.0, False)]
         for start, step in zip(self.starts, self.steps, strict=True):
             now = start + self.read_seconds + step.tool_changed * self.tool_change_seconds
@@ -240,7 +240,7 @@ class Path:
 
     @property
     def first(self) -> Place:
-        """Where cutting begins; no block is read yet."""
+        """The place where cutting begins, before any block is read."""
         cuts = (at for at, knot in enumerate(self.knots) if knot.down)
         knot = max(1, next(cuts, 1)) - 1
         return Place(knot, self.knots[knot].x, self.knots[knot].y, False, -1)

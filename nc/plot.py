@@ -94,7 +94,7 @@ def _heading(path: Path, curve: Curve | None, current: int, unit: Unit) -> list[
 
 
 def _window(path: Path, cutter: float) -> Window:
-    """Return the part of the table with the work, or with all the moves if there is none."""
+    """Return the part of the table that shows the work, or all moves if there is none."""
     work = [*path.holes, *(place for move in path.cuts for place in (move.start, move.end))]
     return around(work or [(0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
 

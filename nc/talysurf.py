@@ -61,12 +61,12 @@ def talysurf(
 
 
 def _numbered(across: float) -> float:
-    """Return the thousandths between two lines with a number, at so many pixels a thousandth."""
+    """Return the numbered lines of a scale, in thousandths, at so many pixels a thousandth."""
     return round_step(max(DIVISION, 48 / across))
 
 
 def _between(across: float) -> float:
-    """Return the thousandths between two lines."""
+    """Return the spacing of a scale's lines, in thousandths."""
     return DIVISION if DIVISION * across >= 4 else _numbered(across)
 
 

@@ -52,7 +52,7 @@ _RESUMED = "!"  # marks a number that is read on after an illegal character
 
 
 class Message(NamedTuple):
-    """A message of DEC's: its code, a name or four octal digits, the location; and the item it is at."""
+    """DEC's message: its code, a name or four octal digits, the location, and the item that caused it."""
 
     code: str
     subject: str
@@ -177,7 +177,7 @@ class Assembler:
         self._names = []
 
     def _read(self) -> None:
-        """Read the source, to the first ``$``, and do what each character that ends an item says."""
+        """Read the source to the first ``$`` and obey the character that ends each item."""
         self._clear()
         for at, (item, mark) in self._reader:
             self._at = at  # the item read last
@@ -222,40 +222,40 @@ class Assembler:
     # `pal.watched` overrides what follows, to note where a source means something else than it says.
 
     def _see_before(self, pointer: int) -> None:
-        """Something comes before the memory reference at `pointer`."""
+        """Called when something comes before the memory reference at `pointer`."""
 
     def _see_reference(self) -> None:
-        """A memory reference has the operation 0400, or a Z and an address on another page."""
+        """Called when a memory reference has operation 0400, or a Z and an address on another page."""
 
     def _see_word(self) -> None:
-        """A statement was `doubtful`, and is now a word or none."""
+        """Called when a `doubtful` statement ends, with or without a word."""
 
     def _see_pseudo(self, pointer: int) -> None:
-        """The item is the pseudo-operator at `pointer`."""
+        """Called for the pseudo-operator at `pointer`."""
 
     def _see_tag(self) -> None:
-        """A comma ends the item."""
+        """Called when a comma ends the item."""
 
     def _see_equals(self, pointer: int) -> None:
-        """An equals sign ends the item, and defines the symbol at `pointer`."""
+        """Called when an equals sign ends the item and defines the symbol at `pointer`."""
 
     def _see_star(self) -> None:
-        """An asterisk ends the item."""
+        """Called when an asterisk ends the item."""
 
     def _see_moved(self) -> None:
-        """An assignment in pass 2 gives another value than in pass 1."""
+        """Called when an assignment has another value in pass 2 than in pass 1."""
 
     def _see_number(self, value: int) -> None:
-        """A number is too large: `value`; or it has an 8 or 9, or a letter: 0."""
+        """Called with the `value` of a number that is too large, or 0 for one with an 8, a 9 or a letter."""
 
     def _see_point(self) -> None:
-        """An operator before a point is used twice."""
+        """Called when an operator before a point is applied twice."""
 
     def _see_lost(self) -> None:
-        """An operator is not used."""
+        """Called when an operator is not used."""
 
     def _see_long(self) -> None:
-        """A name has more than six characters."""
+        """Called when a name has more than six characters."""
 
     def _look_up(self, name: str, mark: str) -> bool:
         """Look an item up; return whether the mark after it still has to be obeyed."""
@@ -313,7 +313,7 @@ class Assembler:
         return True
 
     def _apply(self) -> None:
-        """Put the item where it belongs: into the word, or by the operator into the address."""
+        """Apply the item: put it into the word, or use its operator on the address."""
         self._room_for(1)
         if self._refers:
             if self._address:
@@ -326,7 +326,7 @@ class Assembler:
             self._address = self._address + self._operator * self._item & _MASK
 
     def _point(self) -> None:
-        """``.``: apply what was read, then the location, both by the same operator."""
+        """``.``: apply the item, then the location, both with the same operator."""
         if self._made:
             if self._operator:
                 self._see_point()
@@ -336,7 +336,7 @@ class Assembler:
         self._operator = 0
 
     def _finish(self) -> None:
-        """Give the word to those that wait for it, the last one first."""
+        """Give the finished word to the assignments and operators that wait for it, the last one first."""
         self._room_for(1)
         while self._pending:
             kind, pointer, begun = self._pending.pop()
@@ -357,7 +357,7 @@ class Assembler:
                 self._make_word()
 
     def _act_upon(self, routine: str) -> None:
-        """FIELD in pass 2, FIXMRI in pass 1: do it with the word."""
+        """Use the word as the argument of FIELD in pass 2, or of FIXMRI in pass 1."""
         if routine == "FIELD" and self._number == 2:
             self._field = (self._word & 7) << 12
             self.output.append(Punched(FIELD, self._word & 7))
@@ -365,7 +365,7 @@ class Assembler:
             self._symbols.fix_reference()
 
     def _make_word(self) -> None:
-        """Put word and address together."""
+        """Combine the word and its address."""
         address = self._address
         if not self._referring:
             self._word = address
@@ -383,7 +383,7 @@ class Assembler:
         self._word = self._word + self._address + (0 if self._zero else CURRENT_PAGE) & _MASK
 
     def _write(self) -> None:
-        """Punch or list the statement, and move on by a word if it makes one."""
+        """Punch or list the statement, and advance the location if it made a word."""
         if self._doubtful:
             self._see_word()
         if self._number == 3:
@@ -419,7 +419,7 @@ class Assembler:
         self._pointer = self._symbols.page_zero(value & 0o77)
 
     def _tag(self) -> None:
-        """``,``: define what the pointer points to as the location."""
+        """``,``: define the symbol at `pointer` as the location."""
         self._see_tag()
         self._made = False
         if self._number != 1:
@@ -434,7 +434,7 @@ class Assembler:
         self._symbols.store(self._pointer, self._location)
 
     def _assign(self) -> None:
-        """``=``: what the pointer points to is defined, and waits for its value."""
+        """``=``: define the symbol at `pointer` as the value that follows."""
         pointer = self._pointer
         self._see_equals(pointer)
         first = self._symbols.word(pointer)

@@ -114,7 +114,7 @@ class Assembly:
         raise NotImplementedError
 
     def first(self) -> int:
-        """Return the place of notes on the whole source."""
+        """Return the place for notes about the whole source."""
         raise NotImplementedError
 
     def is_empty(self) -> bool:
@@ -122,11 +122,11 @@ class Assembly:
         raise NotImplementedError
 
     def said(self) -> "list[Said]":
-        """Return the errors and the notes, in no order."""
+        """Return errors and notes, unsorted."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        """Return what it is in one line: the source tapes, the dialect, how many words and errors."""
+        """Return a line with source tapes, dialect, and the numbers of words and errors."""
         from tapes.quantities import counted
 
         errors = sum(diagnostic.error for diagnostic in self.diagnostics)

@@ -64,13 +64,13 @@ class Diagnostic(NamedTuple):
 
     @property
     def headline(self) -> str:
-        """The line that editors and CI know: file, line, column, severity, message."""
+        """The line that editors and CI understand: file, line, column, severity, message."""
         code = f" [{self.code}]" if self.code[2:] else ""
         return f"{self.file}:{self.line}:{self.column}: {self.severity}: {self.message}{code}"
 
     @property
     def excerpt(self) -> list[str]:
-        """The source line and carets below it; of a long one a screen's width, nothing of an empty one."""
+        """The source line, shortened to the screen, with carets below it; "" for an empty line."""
         if not self.source.strip(" \t\f\r\n"):
             return []
         start = max(0, min(self.column - 1 - _WIDTH // 2, len(self.source) - _WIDTH))
@@ -121,7 +121,7 @@ def empty(names: Sequence[str]) -> Diagnostic:
 
 
 def told(said: Iterable[Said], names: Sequence[str], place_of: Callable[[int], Place]) -> list[Diagnostic]:
-    """Return what is said of a source as diagnostics, in the order of the places that `place_of` gives."""
+    """Return messages and notes as diagnostics, sorted by the places that `place_of` gives."""
     diagnostics: list[tuple[tuple[int, int, int], Diagnostic]] = []
     for severity, (code, at, message, advice), sentence in said:
         place = place_of(at)
@@ -141,13 +141,13 @@ def _silenced(text: str, code: str) -> bool:
 
 
 def _reference(source: Source, end: int) -> int:
-    """Return the memory-reference symbol of the statement that ends there, or its end."""
+    """Return the memory-reference symbol of the statement that ends at an item, or that item."""
     statement = reversed(range(source.begun(end), end + 1))
     return next((at for at in statement if source.items[at][0] in REFERENCES), end)
 
 
 def _advice(message: Message, subject: str, at: int, source: Source) -> str:
-    """Return what a message of a subject, at an item, means and what to do."""
+    """Return what a message means and what to do about its subject."""
     location = message.location
     if message.code == "IC":
         value = int(subject, 8)

@@ -78,7 +78,7 @@ class Document:
         self._names = names
 
     def found(self, tape: int) -> list[Diagnostic]:
-        """Return the diagnostics of a tape."""
+        """Return the diagnostics of one tape."""
         return [each for each in self.assembly.diagnostics if each.file == self._names[tape]]
 
     @cached_property
@@ -103,7 +103,7 @@ class Document:
         return None
 
     def name_at(self, tape: int, line: int, column: int) -> str:
-        """Return the symbol at a place as it counts, six characters at most; "" where there is none."""
+        """Return the significant six characters of the symbol at a place, "" for none."""
         span = self.written_at(tape, line, column)
         return self.line(tape, line)[span.start : span.end].upper()[:SIGNIFICANT] if span else ""
 
@@ -124,11 +124,11 @@ class Document:
         return [each.span for each in self.occurrences.get(name, ()) if defined in (None, each.defined)]
 
     def written(self, name: str) -> str:
-        """Return a symbol as it is first written, with all its letters."""
+        """Return a symbol with all its letters, as it is first written."""
         return next((each.written for each in self.occurrences.get(name, ())), name)
 
     def refusal(self, name: str, new: str) -> str:
-        """Return why the symbol `name` cannot be called `new`, "" if it can."""
+        """Return why the symbol `name` cannot be renamed `new`, "" if it can."""
         if name not in self.assembly.symbols:
             return f"{name or 'this place'} is not a symbol that the source defines"
         if not SYMBOL.fullmatch(new):
@@ -174,7 +174,7 @@ class Document:
         return words
 
     def hover(self, tape: int, line: int, column: int) -> str:
-        """Return what is at a place, in Markdown: the symbol, and the words of its line; "" for nothing."""
+        """Return Markdown about the symbol at a place and the words of its line, "" for none."""
         name = self.name_at(tape, line, column)
         if not name:
             return ""
@@ -202,7 +202,7 @@ class Document:
         return said + [f"`{self.line(each.tape, each.line).strip()}`" for each in at]
 
     def completions(self, tape: int, line: int, column: int) -> list[tuple[str, str, str]]:
-        """Return what may stand at a place: name, kind (TAG, VALUE or "" for a permanent one), meaning."""
+        """Return what may be written at a place: name, kind (TAG, VALUE, "" if permanent), meaning."""
         found = pieces(self.line(tape, line), self.dialect)
         if any(each.kind in (COMMENT, TEXT) and each.start < column <= each.end for each in found):
             return []

@@ -31,7 +31,7 @@ class Fix(NamedTuple):
 
 
 def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
-    """Yield what mends a diagnostic of a tape, the likeliest first."""
+    """Yield the fixes for a diagnostic of a tape, the likeliest first."""
     line = found.line - 1
     text = document.line(tape, line)
     span = Span(tape, line, found.column - 1, min(found.end_column - 1, len(text)))
@@ -57,7 +57,7 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
 
 
 def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
-    """Yield the reference through a word of this page."""
+    """Yield the fix that refers through a pointer on this page."""
     text = document.line(span.tape, span.line)
     statement = text[: comment(text, document.dialect)]
     end = statement.find(";", span.end) if ";" in statement[span.end :] else len(statement)
@@ -75,7 +75,7 @@ def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
 
 
 def _end_of_page(document: Document, span: Span) -> Span:
-    """Return where words of this page end: before the next origin, or the $, else the end."""
+    """Return the end of this page's words: before the next origin or the $."""
     lines = document.tapes[span.tape]
     ends = (number for number in range(span.line + 1, len(lines)) if _ORIGIN.match(lines[number]))
     return Span(span.tape, next(ends, len(lines) - 1), 0, 0)

@@ -25,7 +25,7 @@ _COMMENTS = 24
 
 
 def formatted(source: str, dialect: str) -> str:
-    """Return `source` in columns, or as it is where that would make other words of it."""
+    """Return `source` in columns, or unchanged if that would change its words."""
     text = "".join(part if _ENDS.fullmatch(part) else _steady(part) for part in _ENDS.split(source))
     before, after = assemble(source, dialect=dialect), assemble(text, dialect=dialect)
     same = before.words == after.words and before.symbols == after.symbols
@@ -33,7 +33,7 @@ def formatted(source: str, dialect: str) -> str:
 
 
 def silenced(source: str) -> str:
-    """Return a source with a comment on each line of which the assembler has a note, which silences it."""
+    """Return a source in which each line with a note has a comment that silences it."""
     lines = source.split("\n")
     for found in assemble(source, capacity=HIGH_SPEED_SYMBOLS).diagnostics:
         line = lines[found.line - 1]
@@ -45,7 +45,7 @@ def silenced(source: str) -> str:
 
 
 def _steady(line: str) -> str:
-    """Return the line in columns, or as it is where a second time would change it again."""
+    """Return the line in columns, or unchanged if formatting it twice would change it again."""
     once = _line(line)
     return once if _line(once) == once else line
 

@@ -48,7 +48,7 @@ def text() -> str:
 
 
 def _patterns() -> Iterator[tuple[str, str]]:
-    """Yield each rule: PAL8's names come before names that nobody knows."""
+    """Yield each rule, PAL8's names before unknown names."""
     for pattern, token in PalLexer.tokens["root"]:
         if token is Name:
             for known, kind in _PAL8:

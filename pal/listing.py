@@ -75,7 +75,7 @@ def typed_frames(text: str) -> bytes:
 
 
 def complaints(output: Output) -> bytes:
-    """Return the messages, which pass 1 types, and pass 2 while the high-speed punch works."""
+    """Return the messages that pass 1 types, and pass 2 while the high-speed punch is used."""
     return _frames("".join(_message(str(piece)) for piece in output if isinstance(piece, Message)))
 
 
@@ -112,7 +112,7 @@ def lines(source: Source, output: Output, lost: Iterable[tuple[int, int]]) -> It
 
 
 def symbol_table(table: Iterable[Entry], number: int) -> bytes:
-    """Return what ends pass 1 or 3."""
+    """Return the symbol table that ends pass 1 or 3."""
     typed_lines = "".join(NEW_LINE + _symbol(entry, number) for entry in table)
     return (
         _frames(NEW_LINE)

@@ -118,7 +118,7 @@ def of_words(words: Iterable[Written], instructions: Mapping[str, int]) -> list[
 
 
 def _combination(written: Written, instructions: Mapping[str, int]) -> Note | None:
-    """Return the note on the symbols that make an IOT or OPR, None if they go together."""
+    """Return the note on symbols that should not be combined in an IOT or OPR, or None."""
     parts = [(name, instructions[name]) for name in written.names if name in instructions]
     parts = [(name, word) for name, word in parts if word >= IOT << 9]
     named = " ".join(name for name, _ in parts)
@@ -154,7 +154,7 @@ def _is_instruction(written: Written, instructions: Mapping[str, int]) -> bool:
 
 
 def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
-    """Return the notes on what is called, returned to and run into."""
+    """Return the notes on subroutines, returns, and data that the program runs into."""
     notes = []
     called: set[int] = set()
     counted: set[int] = set()
@@ -228,7 +228,7 @@ def _run(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Not
 def _followed(
     cells: dict[int, Written], instructions: Mapping[str, int], address: int, called: bool
 ) -> Note | None:
-    """Return the note on what runs from `address` on, which is perhaps `called`."""
+    """Return the note on running from `address`, which may be a subroutine."""
     printing = called  # whether a TLS may have come before
     passed: set[int] = set()
     while address not in passed and address in cells:
@@ -290,7 +290,7 @@ def _changes_field(cells: dict[int, Written], address: int) -> bool:
 
 
 def _goes_on(word: int, before: Written | None) -> bool:
-    """Whether the word after `word` is executed: after `word`, or by a skip other than ISZ over `word`."""
+    """Whether `word` may be followed by the next word, other than by ISZ."""
     operation = word >> 9
     if operation == JMS or halts(word):
         return False

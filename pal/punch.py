@@ -26,7 +26,7 @@ def tape(output: Output) -> bytes:
 
 
 def frames_of(piece: Written | Punched) -> bytes:
-    """Return its frames."""
+    """Return the frames that punch one item."""
     if isinstance(piece, Written):
         return binary.word(piece.word)
     if piece.kind == binary.FIELD:

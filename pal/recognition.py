@@ -26,7 +26,7 @@ _MARK_OR_END = re.compile(r'\r(?:[^/\r(["<&^%]*[(["<&^%]|\$)')
 def found(
     sources: Sequence[str | bytes], pal3: Callable[[], "Assembly3"], pal8: Callable[[], "Assembly8"]
 ) -> Assembly:
-    """Return a source as PAL III or PAL8 makes it; `pal3` and `pal8` assemble it when they are called."""
+    """Return the assembly in PAL III or PAL8, whichever fits; `pal3` and `pal8` assemble on demand."""
     if _is_beyond_pal3(sources):
         eight = pal8()
         if eight.ok and not eight.is_empty():
@@ -57,7 +57,7 @@ def _as_pal8(assembly: Assembly) -> Assembly:
 
 
 def compared(assembly: Assembly, other: Assembly) -> Assembly:
-    """Return an assembly in error, with a note if in the `other` dialect the source has no error."""
+    """Return a failed assembly, with a note if the `other` dialect accepts the source."""
     if other.ok and not other.is_empty():
         dialect = PAL3 if assembly.dialect == PAL8 else PAL8
         assembly.add_note("PN36 other", dialect=SPELLED[dialect], option=dialect)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Reported(Protocol):
-    """What a report needs of an assembly."""
+    """What a report needs to know about an assembly."""
 
     @property
     def names(self) -> Sequence[str]: ...

@@ -113,7 +113,7 @@ class Answers:
         server.command(_TAKE_AS)(partial(self._take_as))
 
     def _initialize(self, params: lsp.InitializeParams) -> None:
-        """Take what was agreed on: how characters are counted, which programs there are."""
+        """Take over the agreed settings: how characters are counted, and which programs exist."""
         workspace = self._server.workspace
         self._workspace.unit = str(getattr(workspace.position_encoding, "value", workspace.position_encoding))
         self._name_programs(params.initialization_options)
@@ -161,7 +161,7 @@ class Answers:
                     self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, found))
 
     def _take_as(self, uri: str, dialect: str) -> None:
-        """Carry out a quick fix: take a source for one of a dialect from now on."""
+        """Carry out a quick fix: assemble a source in this dialect from now on."""
         self._workspace.chosen[self._workspace.tapes(uri)[0]] = dialect
         self._publish([uri])
 
@@ -288,7 +288,7 @@ class Answers:
         ]
 
     def _tokens(self, params: lsp.SemanticTokensParams) -> lsp.SemanticTokens:
-        """Return the pieces of a tape, each by how far it is behind the one before."""
+        """Return the pieces of a tape, each relative to the previous one."""
         uri = params.text_document.uri
         document, tape = self._workspace.document(uri)
         data: list[int] = []

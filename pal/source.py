@@ -69,12 +69,12 @@ class Source:
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
-        """Of each item where in `text` it begins, and where the character is that ends it."""
+        """For each item, where it and the character that ends it are in `text`."""
         return [(match.start(), match.end() - 1) for match in _ITEM.finditer(self._code)]
 
     @cached_property
     def _ends(self) -> list[int]:
-        """Where in `text` each line ends."""
+        """The end of each line in `text`."""
         ends = []
         end = -1
         lines = self.text.split("\r")
@@ -86,7 +86,7 @@ class Source:
 
     @cached_property
     def line_ends(self) -> list[int]:
-        """The item that each line ends with."""
+        """The last item of each line."""
         return [at for at, (_, mark) in enumerate(self.items) if mark == "\r"]
 
     def begun(self, at: int) -> int:
@@ -96,7 +96,7 @@ class Source:
         return at
 
     def first_symbol(self, end: int) -> int:
-        """Return the first symbol but a tag of the statement that item `end` ends; `end` if it has none."""
+        """Return the first symbol after any tag of the statement that item `end` ends, or `end`."""
         statement = range(self.begun(end), end + 1)
         symbols = (at for at in statement if self.items[at][0][:1].isalpha() and self.items[at][1] != ",")
         return next(symbols, end)
@@ -147,7 +147,7 @@ def characters(tape: bytes | str) -> str:
 
 
 def _utf_8(tape: bytes) -> bytes | str:
-    """Return the text that a tape is in UTF-8, the tape itself if it is none."""
+    """Return the text of a UTF-8 tape, or the tape itself if it is not UTF-8."""
     try:
         return tape.decode()
     except ValueError:  # it is not UTF-8

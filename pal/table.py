@@ -62,11 +62,11 @@ class SymbolTable:
 
     @property
     def full(self) -> bool:
-        """Whether it takes no other symbol."""
+        """Whether the table has no space for another symbol."""
         return self.end + ENTRY > self._room
 
     def enter(self, name: str, value: int) -> int:
-        """Enter a symbol, undefined; return where."""
+        """Enter an undefined symbol; return its address."""
         entry = self.end
         first, second, third = codes(name)
         for at, word in enumerate((first | UNDEFINED, second, third, value), entry):
@@ -85,7 +85,7 @@ class SymbolTable:
         return self.word(entry) & ~UNDEFINED, self.word(entry + 1), self.word(entry + 2)
 
     def word(self, at: int) -> int:
-        """Return a word of the table, of page zero before it or of what is free after it."""
+        """Return a word by its address in the table, in page zero or in the free space."""
         if at < 0:
             return _LEFT_THERE.get(at + _CORE, 0)
         return self.words[at] if at < len(self.words) else 0
@@ -103,7 +103,7 @@ class SymbolTable:
             self._rename()
 
     def spill(self, characters: str) -> None:
-        """Add what follows an illegal character in a name to words of the table."""
+        """Add what follows an illegal character in a name to the table's words, as PAL III does."""
         for at, character in enumerate(characters, _SPILL):
             self.store(at, self.word(at) + ((ord(character) & 0o77) << 6) & _MASK)
 
@@ -114,7 +114,7 @@ class SymbolTable:
         self._rename()
 
     def fix(self) -> None:
-        """Leave what is in the table now out of the listing."""
+        """Omit the present symbols from the listing."""
         self.first = self.end
 
     def fix_reference(self) -> None:
@@ -122,7 +122,7 @@ class SymbolTable:
         self.boundary = (PSEUDO if self.boundary == len(self.words) else self.boundary) + ENTRY
 
     def listed(self) -> list[int]:
-        """Return the entries that are listed, in the order of their names; of equal names one."""
+        """Return the listed entries, sorted by name, one of each name."""
         entries = {}
         for entry in reversed(range(self.first, self.end, ENTRY)):
             first, second, third = self.name(entry)

@@ -25,7 +25,7 @@ class Workspace:
         self._made: dict[tuple[str, ...], tuple[tuple[str, ...], str, Document]] = {}
 
     def name_programs(self, programs: object, root: str) -> None:
-        """Take a setting: lists of tapes, as paths from the folder `root`; anything else names no program."""
+        """Set the programs: lists of tapes, as paths relative to `root`; other values name none."""
         lists = programs if isinstance(programs, list) else []
         self._programs = [
             [(Path(root) / name).resolve().as_uri() for name in names]
@@ -42,7 +42,7 @@ class Workspace:
         return [uri]
 
     def _opened(self, tape: str) -> str:
-        """Return a tape by the name that the editor has for it, which may be spelt otherwise."""
+        """Return an open tape's name as the editor spells it."""
         return next((uri for uri in self.open if _plain(uri) == tape), tape)
 
     def document(self, uri: str) -> tuple[Document, int]:

@@ -21,23 +21,23 @@ _COUNTS = {"line": 4, "circle": 3, "ellipse": 4, "function": 4, "profile": 2}
 
 
 def beside(tape: str) -> str:
-    """Return the name of the file that belongs to a tape's."""
+    """Return the name of the file that belongs to a tape."""
     return f"{os.path.splitext(tape)[0]}.json"
 
 
 def digest(blocks: Iterable[str]) -> str:
-    """Return what distinguishes a tape by its blocks of 19 digits, blanks for zeros."""
+    """Return a digest of a tape's blocks of 19 digits, blanks counted as zeros."""
     return sha256("\n".join(blocks).replace(" ", "0").encode()).hexdigest()[:16]
 
 
 def written(nominal: Nominal, printout: str) -> str:
-    """Return the file's text, for the printout of a part program."""
+    """Return the file's text for a printout."""
     curve = {name: value for name, value in nominal._asdict().items() if value not in ("", ())}
     return json.dumps({"is": _MARK, **curve, "blocks": digest(lines_of(printout))}, indent=1) + "\n"
 
 
 def is_one(text: str) -> bool:
-    """Whether the text is such a file's, in whatever state."""
+    """Whether the text is that of such a file, valid or not."""
     return _MARK in text
 
 
@@ -57,7 +57,7 @@ def read(text: str) -> tuple[Nominal, str]:
 
 
 def _check(nominal: Nominal) -> None:
-    """Raise ValueError for values that no curve has."""
+    """Raise ValueError for impossible values."""
     if nominal.kind not in get_args(Kind):
         raise ValueError(f"kind {nominal.kind!r} is not one of {', '.join(get_args(Kind))}")
     if len(nominal.numbers) != _COUNTS[nominal.kind]:

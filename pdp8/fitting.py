@@ -86,7 +86,7 @@ def _check(device: Device) -> None:
 
 
 def fault(error: BaseException) -> str:
-    """Return in which line of a device's file an error was raised, and what it says; "" if in none."""
+    """Return the line and message of an error raised in a device's file, "" if elsewhere."""
     said, at = "", error.__traceback__
     while at is not None:
         if file := at.tb_frame.f_globals.get(_MARK):

@@ -79,7 +79,7 @@ class Reels:
         self.names.pop(unit, None)
 
     def rescue(self) -> Iterator[str]:
-        """Leave each reel that was changed in a file beside its own; yield what to say of it."""
+        """Save each changed reel beside its file; yield a message for each."""
         for unit, drive in enumerate(self.drives):
             if drive.blocks:
                 place = _free(self.names[unit])
@@ -129,7 +129,7 @@ def boot(machine: Machine, unit: int = 0) -> None:
 
 
 def _free(name: str) -> str:
-    """Return a name like that of a file, which no file has."""
+    """Return an unused name like that of a file."""
     stem, ending = os.path.splitext(name)
     numbered = (f"{stem}-changed{'' if number == 1 else f'-{number}'}{ending}" for number in range(1, 1000))
     return next(each for each in numbered if not os.path.exists(each))

@@ -69,7 +69,7 @@ def _unpacked(folder: str) -> str:
 
 
 def _laid() -> dict[str, str]:
-    """Return where each bundled file is."""
+    """Return the path of each bundled file."""
     house = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     laid: dict[str, str] = {}
     for package, endings in _BUNDLED.items():
@@ -82,7 +82,7 @@ _bundled = _laid()
 
 
 class _Watch:
-    """The files that were read, by what identifies them, and the paths of those that were written."""
+    """The files read, by identity, and the paths of those written."""
 
     def __init__(self) -> None:
         self.read: set[object] = set()
@@ -91,7 +91,7 @@ class _Watch:
 
 @contextmanager
 def watched() -> Iterator[None]:
-    """Watch the shelf: what is read inside is not written inside, unless it was written there first."""
+    """Within it, files that were read are not replaced, unless they were written there first."""
     _watches.append(_Watch())
     try:
         yield
@@ -249,7 +249,7 @@ def check_kind(name: str, kind: str) -> None:
 
 
 def leave(name: str, content: bytes, kind: str) -> str:
-    """Write a product of a session, of a kind that `check_kind` knows; return what to say of it."""
+    """Write a session's product, of a kind that `check_kind` knows; return the message for it."""
     if name == "-":
         raise ShelfError("-: standard output has what is said; name a file")
     check_kind(name, kind)
@@ -257,7 +257,7 @@ def leave(name: str, content: bytes, kind: str) -> str:
 
 
 def told(name: str, replaced: bool) -> str:
-    """Return what is said of a file that was written."""
+    """Return the message for a written file."""
     return f"{'replaced' if replaced else 'wrote'} {name}"
 
 

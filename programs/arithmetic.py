@@ -45,7 +45,7 @@ from typing import Any, Final, Protocol
 
 
 class Arithmetic(Protocol):
-    """What a part program needs of a machine; its numbers have + - * / ** and compare with 0."""
+    """The arithmetic of a machine; its numbers have + - * / ** and compare with 0."""
 
     def real(self, value: float) -> Any:
         """Return the constant `value` as this machine holds it."""
@@ -140,7 +140,7 @@ class Float:
 
 
 class FloatingPoint(ABC):
-    """Binary floating point: how many bits of a result are kept (no sign counted) and how the rest is cut."""
+    """Binary floating point: the bits of a result, without sign, and how the rest is cut."""
 
     word: int
     register: int
@@ -237,7 +237,7 @@ class GE635(FloatingPoint):
         return self.keep((m >> (top - e)) + (n >> (top - f)), top, self.register)
 
     def multiply(self, a: Float, b: Float) -> Float:
-        """FMP: the leading bits of the product as it stands, before it is normalised."""
+        """FMP: the leading bits of the product before normalising."""
         (m, e), (n, f) = _normal(a, self.register), _normal(b, self.word)
         return Float(self, (m * n) >> self.word, e + f + self.word)
 
@@ -358,11 +358,11 @@ def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
 
 
 def _quotient(over: int, under: int) -> tuple[int, int]:
-    """A quotient cut so far out that the cut crosses neither a word nor the middle of two."""
+    """A quotient with enough bits that later rounding is exact."""
     return (over << 256) // under, -256
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """A root cut so far out that the cut crosses neither a word nor the middle of two."""
+    """A root with enough bits that later rounding is exact."""
     odd = value.exponent & 1
     return isqrt(value.mantissa << (256 + odd)), (value.exponent - odd) // 2 - 128

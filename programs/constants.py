@@ -104,10 +104,7 @@ def arguments(program: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]
 
 
 def taken(program: PartProgram, asked: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keywords to call `program` with, for constants in the units of its command.
-
-    Raises ValueError for a constant that `program` does not have, and for a value that it does not take.
-    """
+    """Return the keywords for `program` from constants in command units. Raises ValueError."""
     known = {constant.name: constant for constant in constants(program)}
     values = {}
     for name, value in asked.items():
@@ -121,7 +118,7 @@ def taken(program: PartProgram, asked: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _typed(constant: Constant, value: object) -> Any:
-    """Return what is kept for a value of a script, which may be a number, a flag or a list of places."""
+    """Return what is kept for a script's value: a number, a flag or a list of places."""
     if value is None:
         return None
     if constant.flag or isinstance(value, bool):

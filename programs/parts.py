@@ -39,9 +39,7 @@ class Part(NamedTuple):
         return program
 
     def nominal(self, values: Mapping[str, Any] = NO_VALUES) -> Nominal | None:
-        """Return the curve that the part follows for these arguments of its program, or None if it does not
-        follow a single curve. Raises WorkError for arguments of no possible curve.
-        """
+        """Return the curve that the part follows, None if it is no single curve. Raises WorkError."""
         from programs.nominals import NOMINALS
 
         if self.name not in NOMINALS:

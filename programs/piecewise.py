@@ -41,7 +41,7 @@ class Feeds(NamedTuple):
 
 
 class _Path:
-    """Where the ray of two feeds leads from a stop: a step is a thousandth of the faster axis."""
+    """The path of two feeds from a stop; a step is a thousandth of the faster axis."""
 
     def __init__(self, stretch: Stretch, at: Point, feeds: Feeds) -> None:
         x_speed, y_speed = (XY_FEED[code] if code else 0.0 for code in feeds)
@@ -53,11 +53,11 @@ class _Path:
         self._length = sqrt(self._across * self._across + self._up * self._up)
 
     def beyond(self, distance: float) -> int:
-        """Return the fewest steps that go further, and with which each axis moves."""
+        """Return the fewest steps beyond so many, with which each axis moves."""
         return max(self._least, int(distance / self._length) + 1)
 
     def stop(self, aside: int, steps: int) -> Point:
-        """Return the stop after so many steps, so much aside of where the feeds lead."""
+        """Return the stop after so many steps, shifted aside of the path."""
         x, y = self.at.x + round(self._across * steps), self.at.y + round(self._up * steps)
         return Point(x, y + aside) if self._x_is_faster else Point(x + aside, y)
 
@@ -133,7 +133,7 @@ class Technique:
         yield from (Feeds(x, y) for x in codes for y in codes)
 
     def _reach(self, path: "_Path", aside: int, steps: int) -> int:
-        """Return how many steps the path may go, if it may go so many."""
+        """Return how many steps the path may go, if it may go at all."""
         far = 2 * steps
         while self._kept(path, aside, far):
             steps, far = far, 2 * far
@@ -165,7 +165,7 @@ class Technique:
 
 
 def _asides(stretch: Stretch, at: Point, x: int, y: int) -> range:
-    """Return how far aside of a ray stops are tried: across the band along X or Y, either way."""
+    """Return the shifts to try beside a path: across the band along X or Y, both ways."""
     width = _steps_inside(stretch, at, x, y) + _steps_inside(stretch, at, -x, -y)
     return range(-width, width + 1, max(1, width // 10))
 

@@ -56,9 +56,7 @@ def part(
     header: Header = THESIS,
     overflow: Overflow = "low-digits",
 ) -> str:
-    """Return the printout of the profile r = `expression`, or of the outline in its lines; inches. Raises
-    WorkError.
-    """
+    """Return the printout of the profile r = `expression`, or of an outline; inches. Raises WorkError."""
     edge = points.outline(expression, tolerance) if "\n" in expression else _polar(expression)
     across, up = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
     clockwise = [(1000 * x + across, 1000 * y + up) for x, y in reversed(edge)]
@@ -120,7 +118,7 @@ def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
 
 
 def _about(before: Place, here: Place, after: Place, beside: float) -> list[Place]:
-    """Return the path past `here`, `beside` to its left: a single place, or an arc round a corner."""
+    """Return the path past `here`, `beside` it: a place, or an arc at a corner."""
     angle = turn(before, here, after)
     half = atan2(here[1] - before[1], here[0] - before[0]) + angle / 2 + radians(90)
     if angle * beside >= 0 or abs(angle) < _STEP:

@@ -42,9 +42,7 @@ def part(
 
 
 def pieces(start: Point, end: Point, count: int, x_code: int, y_code: int) -> str:
-    """Return the printout of a slope in `count` equal pieces, both axes moving in each, X at the feed of one
-    tool code and Y at that of another (Figure 3.1). Two blocks at rest set them. Raises WorkError.
-    """
+    """The printout of a slope in `count` pieces at two tool codes' feeds (Figure 3.1). Raises WorkError."""
     printout = Printout()
     printout.header(THESIS, *start)
     mill(printout, start, x_code, "X")

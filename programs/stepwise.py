@@ -70,7 +70,7 @@ def staircase(start: Point, axis: Axis, stretches: Iterable[Stretch], rule: Stop
 
 
 def _cut(stretch: Stretch, axis: Axis, at: Point, rule: Stop) -> tuple[Point, bool]:
-    """Return where a cut along `axis` from `at` stops, and whether the stretch ended before."""
+    """Return where a cut along `axis` from `at` stops, and whether the stretch ended first."""
     x, y = at
     while not stretch.ends(axis, x, y):
         if rule == "boundary":

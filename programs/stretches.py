@@ -82,7 +82,7 @@ class Stretch:
 
 
 class Curve(NamedTuple):
-    """What a technique interpolates: its start, its stretches in order, its end."""
+    """A curve for a technique: its start, its stretches in order, its end."""
 
     start: Point
     stretches: tuple[Stretch, ...]
@@ -216,7 +216,7 @@ def check_tolerance(tolerance: float, size: float) -> None:
 
 
 def _check_steepness(first_x: int, heights: Sequence[float], tolerance: float) -> None:
-    """Raise WorkError where the band moves past a point in one thousandth of X, the shortest cut."""
+    """Raise WorkError if the band passes a point within .001 in of X, the shortest cut."""
     for x, (here, there) in enumerate(pairwise(heights), first_x):
         if abs(there - here) > 2 * tolerance - 1:
             raise WorkError(

@@ -86,7 +86,7 @@ def _text(content: bytes) -> str:
 
 
 def _cells(line: str, mark: str) -> list[str]:
-    """Return the columns of a line, without brackets, a name in front, and what is empty at its end."""
+    """Return a line's columns without brackets, a leading name, and empty ones at the end."""
     line = _NAMED.sub("", re.sub(r"[\[\](){}]", " ", line.replace("\ufeff", "")))
     if len(keys := {key.lower(): value for key, value in _KEYS.findall(line)}) > 1:
         return [keys[key] for key in sorted(keys)]
@@ -148,7 +148,7 @@ class _Table:
             raise WorkError(f"{where}no points: x and y are needed on each line")
 
     def _is_point(self, row: _Row) -> bool:
-        """Whether a row has numbers; take its names and units, if it is of a header."""
+        """Whether a row has numbers; names and units are taken from a header row."""
         numbers = sum(_number(cell, self._point) is not None for cell in row.cells)
         names = [set(re.findall(r"[a-z]+", cell.lower())) for cell in row.cells]
         words = [word for cell in row.cells for word in re.findall(r"[a-z]+", cell.lower())]
@@ -168,7 +168,7 @@ class _Table:
         return False
 
     def points(self, mm: bool) -> Points:
-        """Return them."""
+        """Return the points."""
         self._find_columns()
         places = [self._place(row) for row in self._rows]
         across = max(max(each) - min(each) for each in zip(*places, strict=True))
@@ -185,7 +185,7 @@ class _Table:
         return Points([(x / scale, y / scale) for x, y in places], self._notes)
 
     def _find_columns(self) -> None:
-        """Find x and y by the header, or behind a column that counts."""
+        """Find the columns of x and y by the header, or after a numbering column."""
         first = self._rows[0]
         columns = len(first.cells)
         if self._header:

@@ -58,7 +58,7 @@ class Unit(NamedTuple):
         return kept
 
     def ask(self, kept: float) -> str:
-        """Return what to write for a value that is kept."""
+        """Return how to write a kept value."""
         return _plain(_moved(repr(float(kept)), -self.places))
 
     def _refusal(self, text: str, asked: float) -> str:

@@ -136,9 +136,7 @@ class _Ascii(Characters):
         return bytes(sorted({*obeying, strip.RUBOUT}))
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
-        """Return the parity of nine in ten characters, or of all of a few; a spliced tape has one after the
-        other.
-        """
+        """Return the parity of nine in ten characters, or of all of a few; a spliced tape has several."""
         pieces = _parities(frames, doubtful)
         if not pieces:
             return None
@@ -157,7 +155,7 @@ class _Ascii(Characters):
         return frames.translate(strip.PARITIES["none"]).count(b"\r\n")
 
     def doubt(self, frames: bytes) -> str:
-        """Return that no block will end, where lines end with LF."""
+        """Return that no block will end, if lines end with LF."""
         if ends_blocks(frames):
             return ""
         return (

@@ -61,7 +61,7 @@ class Item(NamedTuple):
 
 
 class Section(NamedTuple):
-    """What stands between a leader and a trailer, in the tape's order."""
+    """The items between a leader and a trailer, in order."""
 
     items: tuple[Item, ...]
     computed: int
@@ -175,7 +175,7 @@ def read(frames: bytes) -> Reading:
 
 
 def read_whole(frames: bytes) -> Reading | None:
-    """Return the tape from the first of its `starts` at which a whole section begins, or None."""
+    """Return the tape read from the first of its `starts` that gives a whole section, or None."""
     for start in starts(frames):
         if skip(frames, start, LEADER) == len(frames):
             continue
@@ -186,7 +186,7 @@ def read_whole(frames: bytes) -> Reading | None:
 
 
 def _is_whole(section: Section, led: bool) -> bool:
-    """Tell whether a tape's first section, after leader or not, is one beyond doubt."""
+    """Tell whether a tape's first section is certainly valid."""
     begins = _first_kind(section.items) if section.items or not led else ORIGIN
     return section.computed == section.punched and begins == ORIGIN
 
@@ -335,7 +335,7 @@ def _close(items: list[Item]) -> Section:
 
 
 def _frames_of(kind: str, value: int) -> int:
-    """Return what the frames of an item add to the checksum."""
+    """Return the sum of an item's frames, for the checksum."""
     return 0 if kind == FIELD else (value >> 6) + (value & 0o77) + (0o100 if kind == ORIGIN else 0)
 
 

@@ -77,15 +77,15 @@ class Code:
         return 0o200
 
     def gaps(self, frames: bytes) -> tuple[range, ...]:
-        """Return the blank tape inside the data, where a code has none."""
+        """Return runs of blank tape inside the data, if they are no data."""
         return ()
 
     def line_end(self) -> int:
-        """Return the character, without its channel 8 if that is parity, after which another line begins."""
+        """Return the character that ends a line, without channel 8 if that is parity."""
         return 0o200
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
-        """Return what the frames obey, `doubtful` ones apart; None if a frame cannot show its own faults."""
+        """Return the rule of its frames, `doubtful` ones apart; None if frames cannot show faults."""
         return None
 
     def sums_up(self, frames: bytes) -> bool | None:
@@ -93,11 +93,11 @@ class Code:
         return None
 
     def sense(self, frames: bytes) -> float:
-        """Return how much sense a tape makes in its order; 0.0 if that cannot be said."""
+        """Return how much sense the order of a tape makes, 0.0 if unknown."""
         return 0.0
 
     def doubt(self, frames: bytes) -> str:
-        """Return why a program that reads ASCII may not do with this tape what one expects; "" if it may."""
+        """Return why a program that reads ASCII may fail with this tape, or ""."""
         return ""
 
 
@@ -113,7 +113,7 @@ class Characters(Code):
         raise NotImplementedError
 
     def captions(self, frames: bytes) -> list[str]:
-        """Return the character of each frame, or the name of its function; of a title, that it is one."""
+        """Return each frame's character or function name; title frames are marked."""
         passed = {at for label in self.labels(frames) for at in label}
         return ["label" if at in passed else self.caption(frame) for at, frame in enumerate(frames)]
 
@@ -160,7 +160,7 @@ def nearly_all(frames: bytes, of: bytes) -> bool:
 
 
 def lengths(counts: Iterable[int], unit: str) -> str:
-    """Return the least and the most of some lengths: " of 19 characters", " of 1 to 3 characters"."""
+    """Return the range of some lengths: " of 19 characters", " of 1 to 3 characters"."""
     found = sorted(set(counts))
     if not found:
         return ""

@@ -57,7 +57,7 @@ def find(frames: bytes, code: Code | None = None) -> list[Doubt]:
 
 
 def check(frames: bytes, code: Code | None = None) -> None:
-    """Raise TapeError that names the doubtful frames of a tape and how they are mended, if it has any."""
+    """Raise TapeError for doubtful frames, naming them and how to correct them."""
     found = find(frames, code)
     if not found:
         return
@@ -77,7 +77,7 @@ def mended(frames: bytes, values: Mapping[int, int]) -> bytes:
 
 
 class _Context:
-    """How often each character comes on a tape after, before and below another."""
+    """How often each character comes after, before and below another."""
 
     def __init__(self, frames: bytes, end: int) -> None:
         self._codes = frames.translate(bytes(range(0o200)) * 2) if end < 0o200 else frames

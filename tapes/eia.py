@@ -128,7 +128,7 @@ class _Eia(Characters):
         return BLANK
 
     def likelihood(self, frames: bytes) -> float:
-        """Return nearly WHOLE if every frame has a code and blocks end; no tape begins with so many ends."""
+        """Return almost WHOLE if every frame has a code and blocks end."""
         has_blocks = EOB in frames.lstrip(bytes([EOB])) and not frames.startswith(LEAST_LEADER)
         if has_blocks and not frames.translate(None, _FITTING + bytes([BLANK])):
             return 0.9 * WHOLE
@@ -172,7 +172,7 @@ class _Eia(Characters):
         )
 
     def sense(self, frames: bytes) -> float:
-        """Return how many blocks have a number a little above that before."""
+        """Return how many blocks have a slightly higher number than the one before."""
         lines = "".join(CHARACTERS.get(frame, "0" * (frame == BLANK)) for frame in frames).split("\n")
         starts = [line.removeprefix("N")[:3] for line in lines]
         numbers = [int(start) for start in starts if start.isdecimal()]

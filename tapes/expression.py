@@ -153,7 +153,7 @@ class _Reader:
             self._at += 1
 
     def _taken(self, mark: str) -> str | None:
-        """Return the mark and go on behind it, None if it does not follow."""
+        """Return the mark and move past it, None if it does not follow."""
         self._skip()
         if not self._plain.startswith(mark, self._at):
             return None
@@ -161,7 +161,7 @@ class _Reader:
         return mark
 
     def _refuse(self, start: int | None = None) -> NoReturn:
-        """Raise WorkError for what stands at `start`, or next."""
+        """Raise WorkError for the text at `start`, or the next one."""
         self._skip()
         start = self._at if start is None else start
         said = (

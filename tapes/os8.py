@@ -32,7 +32,7 @@ _YEARS = (1970, 1978)
 
 
 class Entry(NamedTuple):
-    """A file, or with no name what is free: its first block, its length in blocks, its date or 0."""
+    """A file, or a free place if it has no name: first block, length in blocks, date or 0."""
 
     name: str
     block: int

@@ -51,7 +51,7 @@ def pages(drawings: list[str], paper: str) -> str:
 
 
 def sized(svg: str) -> str:
-    """Return an SVG that a browser prints on a page of its own size, which is a whole number of pixels."""
+    """Return an SVG that a browser prints on a page of its own size, in whole pixels."""
     root = _root(svg)
     left, top, across, down = map(float, root[3].split())
     width, height = (ceil(round(float(inches) * _PIXEL, 3)) for inches in root.groups()[:2])

@@ -100,7 +100,7 @@ def _by_checksum(
 
 
 def looks_reversed(frames: bytes) -> bool:
-    """Whether a tape makes sense only from its other end, as one does that was seen from below."""
+    """Whether a tape makes sense only from its other end."""
     return codes.recognise(frames[::-1]).sense(frames[::-1]) > codes.recognise(frames).sense(frames)
 
 
@@ -110,7 +110,7 @@ def mirrored(frames: bytes) -> bytes:
 
 
 def turned(frames: bytes) -> str:
-    """Return how a tape that makes no sense has to be turned to make some: REVERSE, MIRROR or both; ""."""
+    """Return how to turn a tape that makes no sense: REVERSE, MIRROR or both; "" if not."""
     own = _sense(frames)
     ways = {REVERSE: frames[::-1], MIRROR: mirrored(frames), f"{REVERSE} {MIRROR}": mirrored(frames[::-1])}
     senses = {way: _sense(tape) for way, tape in ways.items()}

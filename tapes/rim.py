@@ -136,7 +136,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
 
 
 def _passed_over(frames: bytes, at: int) -> int:
-    """Return the first frame from `at` on that has no channel 8."""
+    """Return the first frame from `at` on without channel 8."""
     while at < len(frames) and frames[at] >= LEADER:
         at += 1
     return at
@@ -159,7 +159,7 @@ def _after_trailer(frames: bytes, at: int) -> bool:
 
 
 def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
-    """Return what is wrong unless the two frames at `at` are an address (`first` 0) or a word (2)."""
+    """Return what is wrong unless two frames are an address (`first` 0) or a word (2)."""
     for place in (first, first + 1):
         if at == len(frames):
             return TapeError("the tape is cut short inside a word", at)

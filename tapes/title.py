@@ -37,7 +37,7 @@ def punch(text: str) -> bytes:
 
 
 def read(frames: bytes) -> str:
-    """Return what a title says whose letters are those of `punch`; "" for other letters."""
+    """Return the title in letters of `punch`, "" for other letters."""
     words = []
     for word in frames.strip(blank(1)).split(blank(4)):
         letters = [_LETTERS.get(columns, "") for columns in word.split(bytes([BLANK])) if columns]

@@ -1,9 +1,9 @@
-"""The arrows of the house: imports between the packages point one way.
+"""The arrows between packages: imports between the packages point one way.
 
     tapes <- pal <- pdp8      tapes <- programs      tapes <- nc
 
 Only `pdp8/cli`, `pdp8/replay`, `pdp8/thesis` and `pdp8/web` import across; nobody imports those but each
-other. `pdp8/computer` imports no front end, and its own rooms import one way too:
+other. `pdp8/computer` imports no front end, and its own folders import one way too:
 
     hardware <- dectape <- speed <- machine, watch, stop, count <- past <- use
 
@@ -29,7 +29,7 @@ ALLOWED = {
 }
 ACROSS = re.compile(r"(pdp8\.__main__|pdp8\.cli|pdp8\.replay|pdp8\.thesis|pdp8\.web)(\.|$)")
 COMPUTER = "pdp8.computer."
-ROOMS = ("hardware", "dectape", "speed", "machine", "past", "use")
+FOLDERS = ("hardware", "dectape", "speed", "machine", "past", "use")
 """Of the computer: each imports only from itself and from those before it."""
 BESIDE_THE_MACHINE = ("watch", "stop", "count")
 
@@ -100,10 +100,10 @@ def test_the_libraries_open_no_file_and_print_nothing() -> None:
                 assert node.func.id not in ("open", "print", "input"), f"{path}:{node.lineno}"
 
 
-def room(name: str) -> int:
-    """Return the place in ROOMS of a module of the computer."""
+def folder(name: str) -> int:
+    """Return the place in FOLDERS of a module of the computer."""
     first = name.removeprefix(COMPUTER).partition(".")[0]
-    return ROOMS.index("machine" if first in BESIDE_THE_MACHINE else first)
+    return FOLDERS.index("machine" if first in BESIDE_THE_MACHINE else first)
 
 
 def test_the_computer_imports_no_front_end_and_its_rooms_one_way() -> None:
@@ -112,7 +112,7 @@ def test_the_computer_imports_no_front_end_and_its_rooms_one_way() -> None:
             for name in imports(tree):
                 assert not name.startswith("pdp8.") or f"{name}.".startswith(COMPUTER), (here, name)
                 if name.startswith(COMPUTER) and here != f"{COMPUTER}__init__":
-                    assert room(name) <= room(here), f"{here} imports {name}"
+                    assert folder(name) <= folder(here), f"{here} imports {name}"
 
 
 def test_what_a_module_leaves_out_is_in_emulated_md() -> None:

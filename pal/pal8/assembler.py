@@ -99,7 +99,7 @@ class Assembler:
                 self.log.drop(self.table.found.kind == REFERENCE)
 
     def _statement(self) -> bool:
-        """Assemble a statement; return whether another may follow directly: after a tag, a condition."""
+        """Assemble a statement; return whether another may follow without a separator, as after a tag."""
         lexer = self._lexer
         start = lexer.start
         if lexer.first == "*":
@@ -132,7 +132,7 @@ class Assembler:
         return False
 
     def _word(self, start: int, looked_up: bool) -> None:
-        """Assemble an expression as a word; its first symbol may be looked up already."""
+        """Assemble an expression as a word; `looked_up` says whether its first symbol is looked up."""
         expression = self._expression
         value = expression.word(start, looked_up)
         self.punch.write(value, self.log.keep_word(start), expression.names, expression.link)

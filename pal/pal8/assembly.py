@@ -71,7 +71,7 @@ class Assembly8(Assembly):
         ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:
-        """Whether a line has one of these marks or names, and no error but one undefined symbol."""
+        """Whether a line contains one of these marks or names, with at most one undefined symbol wrong."""
         wrong: set[int] = set()
         undefined: set[int] = set()
         for error in self.errors:
@@ -181,7 +181,7 @@ class Assembly8(Assembly):
         return notes + self._on_names() + self._of_fields() + self._of_lines() + self._of_the_end()
 
     def _is_meant(self, at: int) -> bool:
-        """Whether the last origin before a place has a symbol or a point, as an overlay has."""
+        """Whether the last origin before a place uses a symbol or a point, as overlays do."""
         from bisect import bisect_left
 
         before = bisect_left(self._origins, self._log.places[at][0] + 1)
@@ -218,7 +218,7 @@ class Assembly8(Assembly):
         return of_undefined(places, [*self.symbols, *_INSTRUCTIONS])
 
     def _named(self, error: Note) -> str:
-        """Return the name that is undefined, as far as it counts; "" of another error."""
+        """Return the significant part of an undefined name, "" for other errors."""
         return self._in_full(error.at)[:SIGNIFICANT] if error.code == "US" else ""
 
     def _of_fields(self) -> list[Note]:

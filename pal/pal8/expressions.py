@@ -50,7 +50,7 @@ class Expression:
         return self._read(-1, False, True, cells)
 
     def _inside(self) -> "Expression":
-        """Return the expression for what is inside this one."""
+        """Return a new expression for one nested in this one."""
         if self._within is None:
             self._within = Expression(self._lexer, self._log, self._table, self._literals)
         self._within.names = self.names
@@ -215,7 +215,7 @@ class Expression:
         return quotient
 
     def _take_symbol(self) -> bool:
-        """Take the symbol looked up last as a term; return whether an operator may follow."""
+        """Use the symbol just looked up as a term; return whether an operator may follow."""
         lexer = self._lexer
         found = self._table.found
         self.names.append(found.name)
@@ -267,7 +267,7 @@ class Expression:
         return value & _MASK
 
     def _refer(self, operation: int) -> bool:
-        """Take the address of a memory reference and put both together; return False: nothing may follow."""
+        """Combine a memory reference with its address; return False, because no operator may follow."""
         lexer = self._lexer
         log = self._log
         table = self._table
@@ -305,7 +305,7 @@ class Expression:
         return False
 
     def _indirect(self, operation: int, elsewhere: int, start: int) -> int:
-        """Return a memory reference with I, which it may not have twice: a link to `elsewhere` has it."""
+        """An indirect memory reference; one that already has I refers through a link to `elsewhere`."""
         if operation & INDIRECT and elsewhere < 0:
             self._log.say("II", start)
         elif operation & INDIRECT:

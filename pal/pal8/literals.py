@@ -34,12 +34,12 @@ class Literals:
         self._left: list[set[int]] = [set() for _ in range(_PAGES)]  # values of pages that were left
 
     def enter(self, page: int) -> None:
-        """Come to a page, whose earlier literals are not found again."""
+        """Start a page; its earlier literals are not reused."""
         self.end = self.bottom[page]
         self._here = {}
 
     def leave(self, page: int) -> None:
-        """Remember what was stored on a page."""
+        """Remember the literals of a page."""
         self._left[page].update(self._here)
 
     def wipe(self, page: int) -> None:
@@ -48,7 +48,7 @@ class Literals:
         self.top[page] = 0
 
     def pass_word(self, page: int, below: int) -> None:
-        """Let a word be stored at an offset of a page; where literals are, it displaces them."""
+        """Store a word at an offset of a page; it replaces literals there."""
         if below >= self.top[page]:
             self.top[page] = below + 1
         if below >= self.bottom[page]:

@@ -49,11 +49,11 @@ class Log:
         self.mentions: list[Mention] = []
 
     def begin_statement(self) -> None:
-        """Begin a statement, of which nothing has been said yet."""
+        """Start a statement without messages."""
         self.misread = self._has_illegal = False
 
     def forget_tag(self) -> None:
-        """Let messages name the location itself."""
+        """Let messages name the location instead of the last tag."""
         self.tag = ""
         self.tag_at = 0
 
@@ -111,7 +111,7 @@ class Log:
         return self.keep(start, max(lexer.before, start + 1))
 
     def drop(self, after_reference: bool) -> None:
-        """Pass over a token that does not belong here: IC for each of its characters."""
+        """Skip an illegal token and report IC for each of its characters."""
         self.complain_of_token(self._illegal(self._lexer.token, after_reference))
         self._lexer.skip()
 
@@ -121,7 +121,7 @@ class Log:
             self.complain(said)
 
     def _illegal(self, token: str, after_reference: bool) -> Worded:
-        """Return what is said of a token that does not belong here."""
+        """Return the message for a token that is illegal here."""
         if self.misread:
             return Worded("IC", "", "")
         lexer = self._lexer

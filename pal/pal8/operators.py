@@ -109,7 +109,7 @@ class Operators:
             self._punch.write(0, at, self._expression.names, False)
 
     def relocate(self) -> None:
-        """RELOC e: assemble what follows for where it runs; RELOC only: for where it is loaded."""
+        """RELOC e: assemble for the address where the code runs; RELOC: for where it is loaded."""
         location, undefined = self._punch.loaded_at(), False
         if self._has_argument():
             location, undefined = self._argument(), self._table.undefined != 0
@@ -264,7 +264,7 @@ class Operators:
         return is_undefined
 
     def _condition(self, holds: bool) -> None:
-        """Take what stands after `<`, or pass over it."""
+        """Assemble the text after `<`, or skip it if the condition is false."""
         if not self._find_token("<", worded("IC <"), True):
             return
         self._opens = True
@@ -275,7 +275,7 @@ class Operators:
             self._pass_over()
 
     def _pass_over(self) -> None:
-        """Pass over a condition that does not hold, from its `<` to its `>`."""
+        """Skip the text of a false condition, from its `<` to its `>`."""
         lexer = self._lexer
         began, end = lexer.index, lexer.end
         outside = lexer.level

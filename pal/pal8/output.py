@@ -130,7 +130,7 @@ class Punch:
         return self._log.location + self._relocation & _MASK
 
     def enter_page(self, location: int) -> None:
-        """Go to a location on another page, or to this page again."""
+        """Go to a location on another page, or reenter this page."""
         self._set_origin(location)
         self._literals.enter(self._log.location >> 7)
         self._log.forget_tag()

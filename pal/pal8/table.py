@@ -59,7 +59,7 @@ class SymbolTable:
         self._lexer.advance()
 
     def use_undefined(self) -> bool:
-        """Count an undefined symbol in an expression; return whether it is reported now."""
+        """Note that an expression has an undefined symbol; return whether to report it now."""
         self._early.add(self.found.name)
         self.is_undefined = False
         self.undefined += 1

@@ -188,7 +188,7 @@ def pal(
 
 
 def _write_each(writes: Iterable[Callable[[], None]]) -> None:
-    """Write every file, also after one that cannot be written; then raise what the last of these raised."""
+    """Write every file, even if one fails; then raise the last error."""
     failed: WorkError | None = None
     for write in writes:
         try:
@@ -259,7 +259,7 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
 
 
 def _serve(dialect: str) -> None:
-    """Be the language server, until the editor ends it. What pygls logs it tells the editor too."""
+    """Run the language server until the editor ends it, and forward pygls's log."""
     import logging
 
     try:
@@ -292,7 +292,7 @@ def _put_listing(name: str, assembly: Assembly) -> None:
 
 
 def _passes(folder: str | None, source: str) -> list[str]:
-    """Return the files of the three passes, none without a folder."""
+    """Return the files of the three passes, none if no folder is given."""
     name = os.path.splitext(os.path.basename(source))[0] if source != "-" else "stdin"
     return [os.path.join(folder, f"{name}.{ending}") for ending in _PASSES] if folder else []
 

@@ -188,12 +188,12 @@ def _list() -> None:
 
 
 def _stem(name: str) -> str:
-    """Return what a student's files are called: the answer's name without folder and ending."""
+    """Return the name of a student's files: the answer's, without folder and ending."""
     return os.path.splitext(os.path.basename(name))[0]
 
 
 def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
-    """Yield a page an answer, called as its file is; later ones with the same name get a number."""
+    """Yield a page for each answer, with a number where a name is repeated."""
     taken: Counter[str] = Counter()
     for result in results:
         stem = _stem(result.answer)
@@ -224,7 +224,7 @@ def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resul
 
 
 def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Result], dialect: str) -> None:
-    """Say of each answer that was tried where its first case that may be seen goes wrong."""
+    """Say where the first visible failed case of each answer goes wrong."""
     for given, result in zip(answers, results, strict=True):
         names = [mark.name for mark in result.marks if mark.failures and not mark.hidden]
         case = next((case for case in exercise.cases if case.name in names), None)
@@ -251,7 +251,7 @@ def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resu
 
 
 def _prove(exercise: Exercise, name: str, seed: int) -> None:
-    """Say that the exercise is a contract, or raise WorkError with what is not as it should be."""
+    """Raise WorkError unless the exercise accepts its solution and rejects its mistakes."""
     solved = proof.solution(exercise)
     if not solved.right:
         said = "\n".join(scores.details(solved))

@@ -353,7 +353,7 @@ def export(
 
 
 def _format(ctx: click.Context, gcode: bool, dxf: bool, output: str) -> str:
-    """Return what is written, "G-code" or "DXF". Raises UsageError if nothing says so, or if words differ."""
+    """Return the output's format, "G-code" or "DXF". Raises UsageError if it is unknown or contradictory."""
     ending = os.path.splitext(output)[1].lower()
     asked = "G-code" if gcode else "DXF" if dxf else ""
     made = asked or _FORMATS.get(ending, "")

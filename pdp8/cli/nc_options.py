@@ -121,7 +121,7 @@ def numbers(
 
 @dataclass(frozen=True)
 class Tape:
-    """A tape, and how it is read."""
+    """A tape and its reading options."""
 
     name: Annotated[str, click.argument("name", type=Source(), metavar="[FILE.eia]", default="-")]
     strict: Annotated[
@@ -136,7 +136,7 @@ class Tape:
 
 @dataclass(frozen=True)
 class Feeds:
-    """How the machine feeds."""
+    """The machine's feeds."""
 
     feed_error: Annotated[
         tuple[float, float, float],
@@ -159,7 +159,7 @@ class Feeds:
     ]
 
     def settings(self) -> "Settings":
-        """Return the settings of a machine that feeds so. Raises BadParameter."""
+        """Return the machine's settings for these feeds. Raises BadParameter."""
         from nc.machine import Settings
 
         for error in self.feed_error:
@@ -172,7 +172,7 @@ class Feeds:
 
 @dataclass(frozen=True)
 class Times:
-    """What only the time of a cut depends on, seconds."""
+    """Seconds that change only the time of a cut."""
 
     tool_change: Annotated[
         float,
@@ -342,7 +342,7 @@ class Cutter:
 
 @dataclass(frozen=True)
 class Cutting(Cutter):
-    """The cutter, and how far a wall may be off; None: as the nominal curve has it."""
+    """The cutter and the tolerance, None to use the nominal curve's."""
 
     tolerance: Annotated[
         float | None,
@@ -358,7 +358,7 @@ class Cutting(Cutter):
 
 @dataclass(frozen=True)
 class Work:
-    """A path with the nominal curve that is known of it; cutter and tolerance in thousandths."""
+    """A path with its nominal curve, if known; cutter and tolerance in thousandths."""
 
     path: "Path"
     curve: "Curve | None"
@@ -375,7 +375,7 @@ def work(
     cutter: float | None,
     tolerance: float | None = None,
 ) -> Work:
-    """Return the path with the curve that options name, or that the tape was made for. Raises WorkError."""
+    """Return the path with the curve from the options or from the tape's program. Raises WorkError."""
     from nc.curves import curve
 
     nominal = named.nominal(metric.mm) or _made_for(tape.name, path)
@@ -391,7 +391,7 @@ def work(
 
 
 def _made_for(tape: str, path: "Path") -> Nominal | None:
-    """Return the curve of the file beside a tape, or of the part program of its name, if the blocks agree."""
+    """Return the curve from the file beside the tape or from its part program, if their blocks match."""
     from programs.parts import PARTS
 
     blocks = companion.digest(block.digits for block in path.blocks)

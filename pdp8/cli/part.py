@@ -96,7 +96,7 @@ def _command(part: Part) -> click.Command:
 
 
 def _put_beside(tape: str, nominal: Nominal, text: str) -> None:
-    """Write the nominal curve beside a tape, for `pdp8 nc`, unless a file is there that is none."""
+    """Write the nominal curve beside a tape for `pdp8 nc`, but replace no other file."""
     name = companion.beside(tape)
     if os.path.exists(name) and command.keeps(click.get_current_context()):
         command.say(f"{name} is there already, and is kept for --no-clobber")
@@ -108,7 +108,7 @@ def _put_beside(tape: str, nominal: Nominal, text: str) -> None:
 
 
 def _is_ours(name: str) -> bool:
-    """Whether a file is a nominal curve, which another may replace: it is looked at, not read as a source."""
+    """Whether a file is a nominal curve, which may be replaced, by its first 1,000 characters."""
     if not os.path.isfile(name):
         return False
     with open(name, encoding="utf-8", errors="replace") as file:

@@ -15,7 +15,7 @@ from programs.program import PartProgram
 
 
 class Typed(click.ParamType[Any]):
-    """What is typed for a constant; its value is as the part program keeps it."""
+    """The type of a constant on the command line; values are converted to the program's unit."""
 
     def __init__(self, constant: Constant) -> None:
         self.name = "X,Y ..." if constant.places else constant.unit.metavar if constant.unit else "TEXT"
@@ -34,7 +34,7 @@ def parameters(program: PartProgram, file: bool = False) -> list[click.Parameter
 
 
 def explained(program: PartProgram) -> str:
-    """Return what the arguments of `program` are, a sentence each: "EXPRESSION is y as a function of x"."""
+    """Return a sentence for each argument of `program`, such as "EXPRESSION is y as a function of x"."""
     return " ".join(
         f"{constant.name.upper()} is {constant.meaning}."
         for constant in constants(program)

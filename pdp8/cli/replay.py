@@ -87,7 +87,7 @@ def _span(seconds: float) -> str:
 
 
 def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
-    """Write everything that stays. Raises UsageError where the page would have the name of another of it."""
+    """Write all files. Raises UsageError if the page would replace another of them."""
     from pdp8.replay.desk import desk
 
     files = desk(afternoon)
@@ -101,7 +101,7 @@ def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
 
 
 def _show(afternoon: "Afternoon", aside: bool) -> None:
-    """Print the thesis's figures beside the replay's; on standard error if the page is on the other."""
+    """Print the figures, on standard error if the page goes to standard output."""
     from rich.console import Console
     from rich.table import Table
 

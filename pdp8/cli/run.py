@@ -43,7 +43,7 @@ _Ended = Stop | Literal["closed", "failed"] | None
 
 @dataclass(frozen=True)
 class Options:
-    """What is run, from where to where, and how it is watched."""
+    """What to run, its inputs and outputs, and what to record."""
 
     program: Annotated[str | None, click.argument("program", type=Source(), required=False)]
     start: Annotated[

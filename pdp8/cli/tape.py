@@ -71,12 +71,12 @@ _mend = option(
 
 
 def _read(file: str) -> bytes:
-    """Return the frames of a tape, or those that a dump spells, which is said."""
+    """Return the frames of a tape or dump, and say if it was a dump."""
     return _unspelled(file, shelf.read(file))
 
 
 def _unspelled(file: str, content: bytes) -> bytes:
-    """Return the frames that a dump spells, or what is no dump as it is."""
+    """Return the frames of a dump, of words or of a state, or `content` if it is none."""
     if content.startswith(b"{"):
         return _core_of_state(file, content)
     found, note = dump.unspelled(content)
@@ -103,7 +103,7 @@ def _mended(content: bytes, values: dict[int, int]) -> bytes:
 
 
 def _say_accepted(file: str, content: bytes, code: Code) -> None:
-    """Say which frames were taken although they are doubtful, and which are a title."""
+    """Say which doubtful frames were accepted, and which frames are a title."""
     found = [f"{doubt}; taken as punched" for doubt in doubts.find(content, code)]
     more = [f"and {len(found) - _SHOWN} more"] * (len(found) > _SHOWN)
     titles = [f"a title of {len(label)} frames from frame {label.start} on" for label in code.labels(content)]
@@ -111,7 +111,7 @@ def _say_accepted(file: str, content: bytes, code: Code) -> None:
 
 
 def _parity(code: str) -> Callable[[_Function], _Function]:
-    """Return the decorator that adds --parity to a command whose tape has the code that `code` tells."""
+    """Return the decorator that adds --parity, for tapes whose code is in option `code`."""
     return option(
         "--parity",
         type=click.Choice(list(frames.PARITIES)),

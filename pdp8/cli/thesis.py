@@ -215,7 +215,7 @@ def collate(answers: str | None, letter: bool, pages: str | None, output: str) -
 
 
 def _places(folder: str) -> dict[str, str]:
-    """Return where the lines of conjectures are on the pictures in a folder, in words, by name."""
+    """Return, by name, where the lines of conjectures are on the pictures in a folder."""
     if find_spec("cv2") is None:
         from pdp8.cli.shared.extras import hint
 
@@ -239,7 +239,7 @@ def _places(folder: str) -> dict[str, str]:
 
 
 def _show(table: "Table", title: str, coloured_by: int, output: str = "-") -> None:
-    """Print a table, at a terminal with the colours of one column; in a pipe or a file, as plain text."""
+    """Print a table, coloured by one column at a terminal, else as plain text."""
     if output != "-" or not sys.stdout.isatty():
         command.put(output, table.text())
         return

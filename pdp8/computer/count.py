@@ -60,7 +60,7 @@ class Count:
                 self._last[-1].written.append(p.extension.field | p.ma)
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Count what was passed over: whole turns of the loop that the processor stands in."""
+        """Count skipped turns of the loop that the processor is in."""
         ring = self._ring(processor, instructions, ticks)
         self.ticks += ticks
         self.waiting += ticks
@@ -98,7 +98,7 @@ class Count:
 
 
 def _operation(word: int) -> str:
-    """Return what is counted together: an operation, with I its own; an OPR or IOT by its name."""
+    """Return the counter of an operation: indirect ones apart, OPR and IOT by name."""
     code = word >> 9
     if code >= IOT:
         return microinstruction(word) or f"{word:04o}"

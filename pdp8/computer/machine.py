@@ -54,13 +54,13 @@ class LoadError(WorkError):
 
 
 class Recorder(Protocol):
-    """Who is told when a run begins, and when and why it has ended."""
+    """Is called when a run begins and ends."""
 
     def begins(self) -> None:
-        """Take notice that a run begins."""
+        """Called when a run begins."""
 
     def ended(self, reason: Reason, in_cycles: bool) -> None:
-        """Take notice that a run has ended, one of so many cycles or another."""
+        """Called when a run has ended; `in_cycles` says whether it ran memory cycles."""
 
 
 def _ticks(seconds: float) -> int:
@@ -112,7 +112,7 @@ class Machine:
         return _copied, ([type(device) for device in self.devices], self.memory, self.values())
 
     def fit(self, device: Peripheral) -> None:
-        """Fit one more device, in front of the others. Raises ValueError if its code is no code or taken."""
+        """Fit a device in front of the others. Raises ValueError for an impossible or used code."""
         self._connect(device)
         self.waiting.left.forget()
 
@@ -144,9 +144,7 @@ class Machine:
             self.core[address] = word
 
     def start(self, address: int | None = None) -> None:
-        """Press STOP, LOAD ADD with `address` if one is given, and START; the switches stay, time starts at
-        0.
-        """
+        """Press STOP, LOAD ADD with `address` if one is given, and START; switches stay, time starts at 0."""
         self.panel.stop()
         if address is not None:
             self.panel.load_address(address)
@@ -222,7 +220,7 @@ class Machine:
 
     @contextmanager
     def count(self) -> Iterator["Count"]:
-        """Count what the runs within do, `with machine.count() as count:`; they are slower meanwhile."""
+        """Count what is executed inside `with machine.count() as count:`, at lower speed."""
         from pdp8.computer.count import Count
 
         count = Count()
@@ -316,7 +314,7 @@ class Machine:
         self._marks = bytes(address >> part & 0o77 for address in sorted(watched[0]) for part in parts)
 
     def _run(self, until: int, last: int) -> Reason:
-        """Let the engine run: breakpoints are all that is watched."""
+        """Run the engine, which watches only breakpoints."""
         p, breakpoints = self.processor, self.watch.breakpoints
         while not self.engine.run(min(until, p.clock + _UNINTERRUPTED), last, breakpoints):
             if self.waiting.endless:

@@ -12,13 +12,13 @@ from pdp8.computer.hardware.signals import INTERRUPT
 
 
 class Observer(Protocol):
-    """What is called with what a processor does. To end the run it calls `Processor.stop`."""
+    """Is called with what a processor does; `Processor.stop` ends the run."""
 
     def cycle(self, processor: Processor, interrupt: bool) -> None:
-        """Take notice that a memory cycle has ended, of an instruction or of an interrupt; see the lamps."""
+        """Called after each memory cycle; the lamps show it."""
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Take notice that the machine passed over `instructions` of a waiting loop, which take `ticks`."""
+        """Called when `instructions` of a waiting loop, `ticks` long, were skipped."""
 
 
 class Watch:
@@ -77,7 +77,7 @@ def _place(processor: Processor) -> int:
 
 
 def wrote(processor: Processor) -> bool:
-    """Tell whether the last cycle wrote the word at MA."""
+    """Whether the last cycle wrote the word at MA."""
     if processor.state >= WORD_COUNT:
         return processor.stored == 1
     if processor.state == EXECUTE:
@@ -86,14 +86,14 @@ def wrote(processor: Processor) -> bool:
 
 
 def read(processor: Processor) -> bool:
-    """Tell from the lamps whether the last cycle read the word at MA, as an operand or a pointer."""
+    """Whether the last cycle read the word at MA as operand or pointer."""
     if processor.state == EXECUTE:
         return processor.ir in (AND, TAD, ISZ)
     return processor.state == DEFER
 
 
 def instruction_at(processor: Processor) -> int:
-    """Return the address of the instruction that is under way, or of the one that comes."""
+    """Return the address of the current or next instruction."""
     within = processor.next in (DEFER, EXECUTE)  # its first cycle has counted PC on
     address = processor.pc - 1 & 0o7777 if within else processor.pc
     return processor.extension.inst_field | address

@@ -41,7 +41,7 @@ _HEIGHTS = ((0, "-short"), (30, "-tall"))
 
 
 def _letter(letter: str, action: str, label: str, show: bool = True) -> tuple[Binding, Binding]:
-    """Return the bindings of a letter: what the panel writes large may be typed large."""
+    """Return the key bindings of a letter, in both cases."""
     return Binding(letter, action, label, show=show), Binding(letter.upper(), action, label, show=False)
 
 
@@ -72,7 +72,7 @@ class PanelFace(Container, can_focus=True):
 
 
 class Room(App[None]):
-    """The panel in the terminal. `programs` are RIM, BIN and the program; `ticking` False stops the clock."""
+    """The panel in the terminal; `programs` are RIM, BIN and the user's; without `ticking` no time passes."""
 
     CSS_PATH = "room.tcss"
     TITLE = "PDP-8/L"
@@ -160,7 +160,7 @@ class Room(App[None]):
         self.turn(seconds)
 
     def turn(self, seconds: float) -> None:
-        """Let `seconds` pass in the room, and look."""
+        """Let `seconds` pass and show the result."""
         self.session.advance(seconds)
         if self.coach is not None and self.coach.advance(seconds):
             self._welcome()
@@ -184,7 +184,7 @@ class Room(App[None]):
                 page.show()
 
     def _status(self) -> str:
-        """Say how things stand; of a running machine's clock the whole seconds, as nobody reads faster."""
+        """Return the status line, with the clock in whole seconds while the machine runs."""
         session = self.session
         elapsed = session.machine.elapsed
         clock = duration(int(elapsed) if session.machine.panel.lamps.run else elapsed)

@@ -22,7 +22,7 @@ _LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
 
 
 class ChooseTape(ModalScreen[Tape | None]):
-    """A tape at hand, or a file by its name."""
+    """A dialog to choose a tape: one at hand, or a file."""
 
     AUTO_FOCUS = "Input"
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -48,7 +48,7 @@ class ChooseTape(ModalScreen[Tape | None]):
             yield Label("", classes="wrong", markup=False)
 
     def action_step(self, by: int) -> None:
-        """Go up or down the list, and write the name of the tape there on the line."""
+        """Go up or down the list and put the tape's name on the line."""
         if not self.tapes:
             return
         at = self.query_one(OptionList).highlighted
@@ -58,7 +58,7 @@ class ChooseTape(ModalScreen[Tape | None]):
         line.action_select_all()
 
     def on_input_changed(self, event: Input.Changed) -> None:
-        """Light the tape of the list whose name stands on the line, if any does."""
+        """Highlight the tape whose name is on the line, if any."""
         names = [tape.name for tape in self.tapes]
         name = event.value.strip()
         self.query_one(OptionList).highlighted = names.index(name) if name in names else None
@@ -105,7 +105,7 @@ class AskToLeave(ModalScreen[bool]):
 
 
 class NameTape(ModalScreen[str | None]):
-    """A name for the tape that is torn off, and written under it."""
+    """A dialog for the name of the tape that is torn off."""
 
     BINDINGS: ClassVar[list[BindingType]] = [_LEAVE]
 

@@ -46,9 +46,7 @@ _STATES = (
 
 
 class Columns(NamedTuple):
-    """The columns before the first lamp, for a lamp and switch, and for a state's words; whether they are
-    wide.
-    """
+    """The columns before the first lamp, for a lamp and switch, and for a state's words; whether wide."""
 
     label: int
     lamp: int
@@ -57,7 +55,7 @@ class Columns(NamedTuple):
 
 
 def columns(width: int) -> Columns:
-    """Return what there is in a panel of `width` columns."""
+    """Return the columns for a panel of this width."""
     return Columns(17, 3, (9, 11, 7), True) if width >= 95 else Columns(13, 2, (9, 6, 7), False)
 
 

@@ -47,7 +47,7 @@ def frame(widget: Widget, above: str, below: str = "") -> None:
 
 
 class Page(Widget):
-    """Something to be looked at; it is drawn again when what it depends on has changed."""
+    """A widget that is redrawn when what it depends on has changed."""
 
     state: reactive[object] = reactive(None)
 
@@ -60,7 +60,7 @@ class Page(Widget):
         raise NotImplementedError
 
     def show(self) -> None:
-        """Look again, and draw what has changed."""
+        """Redraw if something has changed."""
         self.state = self.look()
 
 
@@ -120,7 +120,7 @@ class ListingPage(Page):
         self.program = programs[-1]
 
     def look(self) -> object:
-        """Find the listing that fits; one that still does stays."""
+        """Find a listing that fits core, the present one if it still does."""
         address = self.session.address
         word = self.session.machine.core[address]
         fitting = (each for each in (self.program, *self.programs) if each.listing.fits(address, word))

@@ -115,14 +115,14 @@ class Session:
         return ". ".join((ended(stop, self.machine), *wrong))
 
     def _suit(self, took: float) -> None:
-        """Make the slices of a run so long that one takes some milliseconds of ours."""
+        """Choose slices that take some milliseconds of real time each."""
         if took < _BUDGET / 10:
             self._slice *= 2
         elif took > _BUDGET / 4:
             self._slice = max(self._slice / 2, _SHORTEST)
 
     def _look(self, samples: list[Lamps] | None = None) -> None:
-        """Read the lamps: at a standstill as they are, else each as bright as it was often on."""
+        """Read the lamps: exact when the machine stands still, else their average brightness."""
         lamps = self.machine.panel.lamps
         self.brightness = shares(samples if samples and lamps.run else [lamps])
         """How bright each lamp is, 0 to 1, most significant first."""
@@ -175,7 +175,7 @@ class Session:
         setattr(panel, switch, not getattr(panel, switch))
 
     def dial(self, digit: int) -> None:
-        """Set the switches to what they were with one octal `digit` more, as one reads off a list."""
+        """Shift one octal `digit` into the switches from the right."""
         self.machine.sr = (self.machine.sr << 3 | digit) & 0o7777
 
     def toggle_rim(self) -> None:
@@ -193,7 +193,7 @@ class Session:
         self.said = "the RIM loader is in core"
 
     def _work(self, seconds: float) -> None:
-        """Let the hands at the switches press as many keys as fit into `seconds`."""
+        """Press the keys that fit into `seconds`."""
         self._rest += seconds
         while self._hands is not None and self._rest >= KEY_SECONDS:
             self._rest -= KEY_SECONDS
@@ -216,7 +216,7 @@ class Session:
         return tape
 
     def clear(self) -> None:
-        """Drop what was still to be said and done: the next operator comes."""
+        """Forget messages and planned actions: the next operator comes."""
         self._hands = None
         self.operator = Operator(self.machine)
         self.speed = 1

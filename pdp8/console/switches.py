@@ -49,7 +49,7 @@ class Rocker(Page):
 
     @property
     def held(self) -> bool:
-        """Whether the hand is on it."""
+        """Whether the mouse button is held on it."""
         focused = self.screen.focused
         return self.session.hand == self.bit and focused is not None and focused.id == "panel"
 
@@ -113,7 +113,7 @@ class Key(Page):
 
 
 class Octal(Page):
-    """What the switches come to."""
+    """The octal value of the switches."""
 
     DEFAULT_CSS = "Octal { height: 2; width: 6; }"
 

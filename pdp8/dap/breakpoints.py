@@ -66,7 +66,7 @@ class Point:
             self.why = str(error)
 
     def follow(self, places: Places) -> None:
-        """Go with its line where an edit took it: an editor that moved it there does not say so."""
+        """Move with its line after an edit, as the editor does without saying so."""
         if self.kind == LINES and self.text:
             self.key = places.went(self.asked["source"], self.asked["line"], self.text)
             self.asked = {**self.asked, "line": self.key}
@@ -122,7 +122,7 @@ class Point:
         return True
 
     def stopped(self, now: int) -> bool:
-        """Tell whether a run that came to it `now` has stopped there, or would have."""
+        """Whether a run that reached it at `now` stopped there, or would have."""
         return not self.asked.get("logMessage") and self._met(now)
 
     def _met(self, now: int) -> bool:
@@ -142,7 +142,7 @@ def _reached(wanted: str, hits: int) -> bool:
 
 
 class Breakpoints:
-    """Those of one debugger, each with a number."""
+    """The numbered breakpoints of one debugger."""
 
     def __init__(self) -> None:
         self._numbers = count(1)
@@ -160,9 +160,7 @@ class Breakpoints:
         source: str,
         asked: Sequence[tuple[object, Body]],
     ) -> list[Body]:
-        """Replace all breakpoints of a kind and source by those `asked`; return them, old ones with their
-        numbers.
-        """
+        """Replace the breakpoints of one type and source by those `asked`; return them with their numbers."""
         before = {point.key: point.number for point in self._set.get((kind, source), ())}
         points: dict[object, Point] = {}
         for key, words in asked:
@@ -174,7 +172,7 @@ class Breakpoints:
         return [points[key].described(places) for key, _ in asked]
 
     def place_anew(self, monitor: Monitor, places: Places) -> list[Body]:
-        """Place all in a program that was loaded again; return those whose place is another now."""
+        """Place all breakpoints in the reloaded program; return those that moved."""
         moved = []
         for point in self:
             was = point.described(places)
@@ -185,7 +183,7 @@ class Breakpoints:
         return moved
 
     def put_into(self, watch: Watch) -> None:
-        """Let a watch stop a run at these alone."""
+        """Let a watch stop only at these breakpoints."""
         placed = [(point, point.address) for point in self if point.address is not None]
         watch.breakpoints = {address for point, address in placed if point.kind != DATA}
         watch.writes = {address for point, address in placed if point.writes}

@@ -30,7 +30,7 @@ class Frame(NamedTuple):
 
 
 def frames(core: Sequence[int], pc: int, ion: int) -> list[Frame]:
-    """Return where the machine is, the innermost first; with ION off it may be in the interrupt routine."""
+    """Return the call stack, innermost first; it may be in the interrupt routine if ION is off."""
     live = _live(core)
     if not ion and core[_INTERRUPT] and core[_INTERRUPT + 1]:
         live[_INTERRUPT] = core[_INTERRUPT]
@@ -47,7 +47,7 @@ def frames(core: Sequence[int], pc: int, ion: int) -> list[Frame]:
 
 
 def _live(core: Sequence[int]) -> dict[int, int]:
-    """Return the entries that were called, each with the address of the JMS."""
+    """Return the active subroutines' entries, each with the address of its JMS."""
     live: dict[int, int] = {}
     for location, word in enumerate(core):
         if word >> 9 == JMS:
@@ -58,7 +58,7 @@ def _live(core: Sequence[int]) -> dict[int, int]:
 
 
 def _target(core: Sequence[int], word: int, location: int) -> int | None:
-    """Return where a JMS or JMP goes; None where its pointer was incremented meanwhile."""
+    """Return the target of a JMS or JMP, None if its pointer was changed."""
     address = refers_to(word, location)
     if not word & INDIRECT:
         return address
@@ -75,7 +75,7 @@ def _entry(core: Sequence[int], live: Mapping[int, int], pc: int) -> int | None:
 
 
 def _reaches(core: Sequence[int], live: Mapping[int, int], entry: int, end: int, pc: int) -> bool:
-    """Tell whether control comes from `entry` to `pc`, never going back before it, nor to `end` or beyond."""
+    """Whether control passes from `entry` to `pc` without leaving `entry` up to `end`."""
     come, ahead = set[int](), [entry + 1]
     while ahead:
         at = ahead.pop()

@@ -39,7 +39,7 @@ def _at(points: Sequence[Point]) -> Halt:
 
 
 class Debuggee:
-    """A machine made ready by a configuration."""
+    """A machine prepared by a configuration."""
 
     def __init__(self, launch: Launch, breakpoints: Breakpoints, first_line: int = 1) -> None:
         self.launch = launch
@@ -66,11 +66,11 @@ class Debuggee:
 
     @property
     def moment(self) -> tuple[int, int]:
-        """What is another one when the machine has done something."""
+        """A value that changes whenever the machine has done something."""
         return self.monitor.machine.processor.clock, self.monitor.machine.instructions
 
     def run(self, goal: motion.Goal | None = None) -> None:
-        """Let the machine run from now on, as far as `goal`."""
+        """Let the machine run from now on until `goal`."""
         self._goal = goal
         self.go_on()
 
@@ -87,7 +87,7 @@ class Debuggee:
         self._slices = None
 
     def advance(self) -> Halt | None:
-        """Run a slice; return why the machine stands if it does then."""
+        """Run a slice; return why the machine stopped, if it did."""
         assert self._slices is not None
         stop = next(self._slices)
         return None if stop.reason is Reason.LIMIT else self._halted(stop)
@@ -130,7 +130,7 @@ class Debuggee:
         return _at(code) if code else Halt(DATA)
 
     def stands(self) -> Halt:
-        """Return how the machine stands: at a breakpoint, after HLT, or as after a pause."""
+        """Return why the machine is stopped: a breakpoint, HLT or a pause."""
         machine = self.monitor.machine
         points = self.breakpoints.hit(machine)
         if points:

@@ -41,7 +41,7 @@ def read(text: str, monitor: Monitor) -> Value:
 
 
 def message(text: str, monitor: Monitor) -> Callable[[], str]:
-    """Return what makes the text of a log message, octal values in place of braces. Raises MonitorError."""
+    """Return a function that fills octal values into a log message. Raises MonitorError."""
     pieces = _BRACED.split(text)
     values = [read(piece, monitor) for piece in pieces[1::2]]
 
@@ -66,7 +66,7 @@ def _python(text: str) -> str:
 
 
 def _value(node: ast.expr, text: str, monitor: Monitor, address: bool) -> Value:
-    """Return the value of a node; of a symbol its address, if an `address` is wanted."""
+    """Return a node's value, or a symbol's address if `address` is wanted."""
     match node:
         case ast.Constant(value=int(number)):
             return lambda: number

@@ -23,13 +23,13 @@ Look = Callable[[float], None]
 
 
 class Goal(NamedTuple):
-    """The return of the subroutine at `entry`; after an interrupt's the instruction is still to be done."""
+    """The end of the subroutine at `entry`; after an interrupt the instruction is still to be executed."""
 
     entry: int
     interrupt: bool = False
 
     def places(self, machine: Machine) -> set[int]:
-        """Return where the subroutine may return to: past arguments if it counts its first word up by ISZ."""
+        """Return the subroutine's return addresses, past arguments if it counts up its first word."""
         core = machine.core
         back = core[self.entry]
         counts = any(
@@ -52,7 +52,7 @@ def into(machine: Machine) -> Stop:
 
 
 def over(machine: Machine) -> tuple[Stop, Goal | None]:
-    """Do one instruction; return the goal too if it, or an interrupt before it, was a call."""
+    """Execute one instruction; return the goal too if it was a call or interrupted."""
     p = machine.processor
     interrupt = p.next == INTERRUPT
     stop = into(machine)

@@ -44,7 +44,7 @@ def place(text: str, offset: int = 0) -> int:
 
 
 class Places:
-    """Where the words of a program stand; the first line of a source has number `first`, to the editor."""
+    """Where a program's words are in its sources; `first` is the editor's number of line 1."""
 
     def __init__(self, program: Program, first: int = 1) -> None:
         self.listing = listing = program.listing
@@ -71,7 +71,7 @@ class Places:
         return {"source": self._sources[tape], "line": line, "column": 1}
 
     def _tape(self, source: Body) -> int | None:
-        """Return which tape the editor speaks of, None for another file; by path or URI."""
+        """Return the tape that the editor names by path or URI, None for another file."""
         path = str(source.get("path", ""))
         if path.startswith("file://"):
             path = path_of(path)
@@ -107,7 +107,7 @@ class Places:
             return Text(file.read().decode("utf-8", "replace")).lines
 
     def went(self, source: Body, line: int, before: Sequence[str]) -> int:
-        """Return where a line is since its source was edited; of one that was changed, what replaced it."""
+        """Return a line's new place after edits of its source, or that of its replacement."""
         at = line - self._first
         edits = SequenceMatcher(None, before, self.text(source)).get_opcodes()
         for _, first, last, start, end in edits:
@@ -116,7 +116,7 @@ class Places:
         return line
 
     def changed(self) -> list[str]:
-        """Return the names of the sources that another program has written since they were last looked at."""
+        """Return the sources that another program has written since the last look."""
         before, self._times = self._times, self._stamps()
         return [
             path for path, one, other in zip(self._paths, before, self._times, strict=True) if one != other

@@ -36,7 +36,7 @@ _ROWS = {"ma": 12, "mb": 12, "ac": 12, "ir": 3}
 
 
 def stack_trace(debuggee: Debuggee, arguments: Body) -> Body:
-    """Return where the machine is, and who called."""
+    """Return the call stack."""
     machine = debuggee.monitor.machine
     found = calls.frames(list(machine.core), machine.pc, machine.ion)
     start = arguments.get("startFrame") or 0
@@ -63,7 +63,7 @@ def _routine(debuggee: Debuggee, entry: int | None) -> str:
 
 
 def source(debuggee: Debuggee, arguments: Body) -> Body:
-    """Return the listing that stands for the source of a tape."""
+    """Return the listing that replaces a tape's source."""
     return {"content": "\n".join(debuggee.places.listing.lines) + "\n"}
 
 
@@ -152,7 +152,7 @@ def set_lines(debuggee: Debuggee, arguments: Body) -> Body:
 
 
 def setting(kind: str, *names: str) -> Callable[[Debuggee, Body], Body]:
-    """Return what sets the breakpoints of a kind; what `names` say of one tells it from others."""
+    """Return a function that sets one type of breakpoints; `names` tell them apart."""
 
     def set_(debuggee: Debuggee, arguments: Body) -> Body:
         asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]
@@ -171,7 +171,7 @@ def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
 
 
 def completions(debuggee: Debuggee, arguments: Body) -> Body:
-    """Return what a line of the console may go on with: commands first, then registers and symbols."""
+    """Return completions for a console line: commands first, then registers and symbols."""
     begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
     known = [*hands.REGISTERS, *debuggee.monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
@@ -262,7 +262,7 @@ def _fields(machine: Machine, number: int) -> Iterator[Body]:
 
 
 def _shown(machine: Machine, kind: int | str, value: Any) -> str:
-    """Return a field's value: numbers as saved states have them, times as so far ahead."""
+    """Return a field's value: numbers as in saved states, times relative to now."""
     if kind == FRAMES:
         return counted(len(value), "frames")
     if kind == TICK:

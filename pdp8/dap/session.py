@@ -124,7 +124,7 @@ class Session:
             self._answer(message)
 
     def _heard(self, message: Body) -> None:
-        """Press STOP if a request is being carried out, which is answered only after it."""
+        """Press STOP if a request is being carried out; the new one is answered afterwards."""
         if message.get("command") == "pause" and self._room is not None and self._works:
             self._room.monitor.stopping = self._paused = True
 
@@ -265,7 +265,7 @@ class Session:
         self._moved(None)
 
     def _moved(self, halt: Halt | None) -> None:
-        """Tell, after the response, where the machine stands; it runs on if there is nothing to tell."""
+        """Say, after the response, where the machine stands; let it run on otherwise."""
         if halt is None:
             self._runs, self._waits = True, ""
         else:

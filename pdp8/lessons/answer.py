@@ -13,7 +13,7 @@ _SHOWN = 5
 
 @dataclass(frozen=True)
 class Answer:
-    """What a student wrote: its words in core and its symbols, the source if there is one, what is wrong."""
+    """A student's answer: its words, symbols, source if any, and fault."""
 
     name: str
     words: Mapping[int, int] = field(default_factory=dict)
@@ -48,7 +48,7 @@ class Answer:
 
 
 def tag(place: str) -> tuple[str, int]:
-    """Return the tag of a place that is no address, and how many words behind it the place is: `TABLE+1`."""
+    """Return the tag of a place and the offset from it: `TABLE+1`."""
     name, sign, behind = place.replace("-", "+-").partition("+")
     return name, int(behind, 8) if sign else 0
 

@@ -56,7 +56,7 @@ def _apart(exercise: Exercise, answer: Answer, seconds: float, dialect: str) -> 
 
 
 def _fault(status: int | None, seconds: float) -> str:
-    """Return why the process of an answer ended. Raises RuntimeError where no bound was the reason."""
+    """Return why an answer's process ended. Raises RuntimeError if no limit was reached."""
     if status == -signal.SIGPROF:
         return f"it took more than {seconds:g} s of processor time, and was ended"
     if status == 1:

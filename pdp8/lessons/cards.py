@@ -129,7 +129,7 @@ _COMBINED = ("CIA", "LAS", "STL", "GLK", "STA")
 
 
 def _between(first: int, last: int) -> list[Permanent]:
-    """Return the instructions of those words; IOTs to 6047 are all that this machine can have."""
+    """Return these instructions; IOTs only to 6047, which this machine has."""
     return [
         each
         for each in PERMANENT

@@ -63,7 +63,7 @@ def case(given: object, where: str, solution: str, seed: int, folder: str) -> Ca
 
 
 def _drawn(given: dict[str, Any], random: Random, function: _Function | None, where: str) -> Trial:
-    """Return a trial with inputs drawn, and what a function makes of them."""
+    """Return a trial with random inputs, completed by a function."""
     try:
         found = {key: _DRAWN[key](value, random) if key in _DRAWN else value for key, value in given.items()}
         if function is not None:
@@ -74,7 +74,7 @@ def _drawn(given: dict[str, Any], random: Random, function: _Function | None, wh
 
 
 def _expected(drawn: Trial, program: Answer, compare: Sequence[str], within: float, where: str) -> Trial:
-    """Return the trial with what the solution made of it."""
+    """Return the trial with the solution's results as expectations."""
     tags = [tag(item)[0] for item in compare if item not in _WHAT and not item[0].isdigit()]
     missing = next((each for each in tags if each not in program.symbols), trial.missing(program, drawn))
     if missing:
@@ -91,7 +91,7 @@ def _expected(drawn: Trial, program: Answer, compare: Sequence[str], within: flo
 def _kept(
     drawn: Trial, outcome: trial.Outcome, program: Answer, compare: Sequence[str], within: float
 ) -> Trial:
-    """Return a trial with what one START of the solution made of it."""
+    """Return a trial with the results of one START of the solution."""
     core = {each: outcome.core[program.address(each)] for each in compare if each not in _WHAT}
     found = outcome._replace(instructions=int(outcome.instructions * within))
     kept = {_WHAT[item]: getattr(found, _WHAT[item]) for item in compare if item in _WHAT}
@@ -114,7 +114,7 @@ def _function(name: str, where: str, folder: str) -> _Function:
 
 
 def _word(given: Any, random: Random) -> int | str:
-    """Return a word: as given, of a range, or one of a list."""
+    """Return a word: as given, drawn from a range, or picked from a list."""
     if not isinstance(given, dict):
         return given if isinstance(given, str) else int(word(given))
     if set(given) == {"pick"}:
@@ -139,7 +139,7 @@ def _deposit(given: Any, random: Random) -> dict[str, int | str]:
 
 
 def _tape(given: Any, random: Random) -> list[int]:
-    """Return the frames of a tape: as given, or its parts one after the other, each drawn."""
+    """Return frames: as given, or drawn part by part."""
     if isinstance(given, list):
         return [frame for part in given for frame in _tape(part, random)]
     if isinstance(given, int):

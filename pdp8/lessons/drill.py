@@ -27,7 +27,7 @@ _LOCKING = {"mem_prot": "MEM PROT is up", "sing_step": "SING STEP is on"}
 
 
 class DrillStep(NamedTuple):
-    """A line of the card: a key to press with `sr` in the switches, None for any; or a state to come to."""
+    """A line of the card: a key to press, with `sr` in the switches or None for any; or a state to reach."""
 
     say: str
     key: str = ""
@@ -36,7 +36,7 @@ class DrillStep(NamedTuple):
 
 
 class Drill(NamedTuple):
-    """A drill: its name, what it is about, its card, and the words that are in core as it begins."""
+    """A drill: its name, subject and card, and the words in core when it begins."""
 
     name: str
     title: str
@@ -112,7 +112,7 @@ def find(name: str, tapes: Sequence[tuple[str, Mapping[int, int]]]) -> Drill:
 
 
 class Coach:
-    """Who looks on while a drill is done at a machine; with `left_alone` seconds, at a kiosk."""
+    """Watches a drill at a machine; a kiosk restarts after `left_alone` seconds."""
 
     def __init__(self, drill: Drill, machine: Machine, left_alone: float | None = None) -> None:
         self.drill = drill

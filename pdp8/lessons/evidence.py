@@ -15,7 +15,7 @@ _FEW = 0o20
 
 
 class Word(NamedTuple):
-    """A word that is looked at, what was put in beside it, what it was, should be and is."""
+    """An observed word: the inputs beside it, its old value, its expected value and its value."""
 
     inputs: Mapping[str, int]
     before: int
@@ -24,7 +24,7 @@ class Word(NamedTuple):
 
 
 class Text(NamedTuple):
-    """Characters that came out: what was read, what should come and what came, as codes."""
+    """Printed or punched characters: those read, those expected and those that came, as codes."""
 
     read: Sequence[int]
     expected: Sequence[int]
@@ -32,7 +32,7 @@ class Text(NamedTuple):
 
 
 def of_words(place: str, seen: Sequence[Word]) -> str:
-    """Return what all of them show that are wrong, "" if nothing."""
+    """Return the pattern that all wrong words show, "" if none."""
     wrong = [each for each in seen if each.got != each.expected]
     if len(wrong) < _TRIALS:
         return ""
@@ -93,7 +93,7 @@ def _near(found: dict[str, int], if_more: str, if_less: str, number: int, to: in
 
 
 def of_characters(seen: Sequence[Text], codes: bool) -> str:
-    """Return what all of them show, "" if nothing; `codes` says whether they are called by their codes."""
+    """Return the pattern that all show, "" if none; `codes` says whether to name them by their codes."""
     wrong = [each for each in seen if list(each.got) != list(each.expected)]
     several = [each for each in seen if len(each.got) > 1]
     if len(seen) < _TRIALS or len(wrong) < 2:
@@ -135,14 +135,14 @@ def _in_octal(seen: Text) -> bool:
 
 
 def _rest(short: Sequence[int], long: Sequence[int], front: bool) -> int:
-    """Return by how many `long` is longer, if it begins, or else ends, with all of `short`; -1 if not."""
+    """Return how much longer `long` is if it begins or ends with `short`, else -1."""
     more = len(long) - len(short)
     same = list(long[: len(short)] if front else long[more:]) == list(short)
     return more if more >= 0 and same else -1
 
 
 def _one_code(wrong: Sequence[Text], codes: bool) -> str:
-    """Return which single character comes out wrong, or which channel."""
+    """Return the only character that comes out wrong, or the only wrong channel."""
     wants: set[int] = set()
     gots: set[int] = set()
     masks: set[int] = set()

@@ -12,7 +12,7 @@ from pdp8.lessons.answer import tag
 
 @dataclass(frozen=True)
 class Trial:
-    """One run of a program: how it is set up, what it must do. What is None is not checked."""
+    """One run of a program: its inputs and expected results; None is not checked."""
 
     start: tuple[str, ...] = ("0200",)
     """Tags or addresses: the first that the answer has."""
@@ -92,7 +92,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Source:
-    """What an answer's source must keep to."""
+    """Requirements for an answer's source."""
 
     words: int | None = None
     required: tuple[str, ...] = ()
@@ -117,7 +117,7 @@ class Exercise:
 
     @property
     def asked(self) -> str:
-        """The task, and below it what its cases look at beside the results."""
+        """The task, followed by what is checked besides the results."""
         trials = [each for case in self.cases for each in case.trials]
         every = [each for first in trials for each in (first, *first.again)]
         spare = [f"We use {_ranged(self.source.spare)}: leave them free."] if self.source.spare else []
@@ -148,7 +148,7 @@ class Exercise:
 
 
 def _looked_at(trial: Trial) -> list[str]:
-    """Return a sentence for each thing that a trial checks beside the results."""
+    """Return a sentence for each thing checked besides the results."""
     said = [
         f"{place} is executed or called {times} times at least." for place, times in trial.executed.items()
     ]

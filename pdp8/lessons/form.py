@@ -50,7 +50,7 @@ def read(name: str, seed: int = SEED) -> Exercise:
 
 
 def variant(name: str, seed: int) -> int:
-    """Return the seed of the random cases that the student `name` gets, of a class that has `seed`."""
+    """Return the seed of student `name` in a class with `seed`."""
     return zlib.crc32(f"{seed} {name}".encode())
 
 
@@ -108,7 +108,7 @@ def _case(given: object, where: str) -> Case:
 
 
 def _check_hints(case: Case, where: str) -> None:
-    """Raise ExerciseError for a hint that nothing can bring about."""
+    """Raise ExerciseError for a hint that can never be shown."""
     places = {
         place
         for first in case.trials
@@ -122,7 +122,7 @@ def _check_hints(case: Case, where: str) -> None:
 
 
 def _trial(found: dict[str, Any], where: str) -> Trial:
-    """Return a trial; each `again` has its start, stop and seconds unless it says otherwise."""
+    """Return a trial; each `again` inherits its start, stop and seconds."""
     others = found.pop("again", ())
     common = {key: found[key] for key in ("start", "stop", "seconds") if key in found}
     again = tuple(Trial(**common | table(each, f"{where}: again {number}", TRIAL))

@@ -14,7 +14,7 @@ _WEAK = (diagnosis.FIRST, diagnosis.SHIFTED, diagnosis.PARITY, diagnosis.LONG)
 
 @dataclass(frozen=True)
 class Failed:
-    """What is known of a case that failed, for each failure what happened and what differs."""
+    """A failed case, with what happened and what differs for each failure."""
 
     case: Case
     happened: Sequence[str]
@@ -52,7 +52,7 @@ def hint(failed: Failed) -> str:
 
 
 def _named(failed: Failed) -> str:
-    """Return the case's own hint for what happened or for what differs; of a wrong end, for the end only."""
+    """Return the case's own hint for what happened or differs; if the end is wrong, only for that."""
     ends = (*diagnosis.ENDS, ITSELF)
     for happened, differs in zip(failed.happened, failed.differs, strict=True):
         if failed.happened[0] not in diagnosis.ENDS or happened in ends:

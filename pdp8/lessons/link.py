@@ -15,7 +15,7 @@ PAGE = "pdp8.html"
 
 
 def link(name: str, source: str, machine: Machine, until: int) -> str:
-    """Return the link: `until` are the instructions that the machine runs from the state it is in."""
+    """Return the link; `until` is the number of instructions to run from the state."""
     state = _other(json.loads(save(machine)), json.loads(save(Machine(one_of_each()))))
     shared = {"program": {"name": name, "text": source}, "machine": {**HEAD, **state}, "until": until}
     packed = zlib.compress(json.dumps(shared, separators=(",", ":")).encode(), 9, wbits=-15)
@@ -23,7 +23,7 @@ def link(name: str, source: str, machine: Machine, until: int) -> str:
 
 
 def _other(state: dict[str, Any], usual: dict[str, Any]) -> dict[str, Any]:
-    """Return what of a state is not as usual."""
+    """Return the unusual parts of a state."""
     found = {}
     for key, value in state.items():
         before = usual.get(key)

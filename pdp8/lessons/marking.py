@@ -67,7 +67,7 @@ class Result:
 
 
 def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
-    """Return the marks of `answer`, a source in `dialect`. Nothing that an answer does raises an error."""
+    """Return the marks of `answer`; no answer makes it raise an error."""
     if exercise.cases:
         answer = assembled(answer, dialect)
     fault = answer.fault or _broken(exercise, answer)
@@ -80,7 +80,7 @@ def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
 
 
 def _broken(exercise: Exercise, answer: Answer) -> str:
-    """Return which rule of the exercise the source breaks."""
+    """Return the rule of the exercise that the source breaks."""
     source = exercise.source
     names = [question.name for question in exercise.questions]
     if names and not any(name.lower() in answer.lines() for name in names):
@@ -183,14 +183,14 @@ def _failed(case: Case, found: Failed, hint: str) -> Mark:
 
 
 def _starts_once(found: Failed, answer: Answer) -> bool:
-    """Whether all is right after the first START: if not, hints for a trial of several do not fit."""
+    """Whether the first START was right, so that hints for several STARTs fit."""
     if found.whole.starts == 1:
         return found.outcome.number > 0 or not found.whole.again
     return first_failed(answer, replace(found.whole, starts=1, again=())) is None
 
 
 def _pattern(exercise: Exercise, answer: Answer, what: str) -> str:
-    """Return what all trials show of a word, of AC, or of the characters."""
+    """Return the pattern that all trials show in a word, in AC or in characters."""
     words: list[evidence.Word] = []
     texts: list[evidence.Text] = []
     trials = [each for case in exercise.cases if not case.hidden for each in case.trials[:_TOGETHER]]
@@ -289,7 +289,7 @@ def _punched(tried: Trial, outcome: Outcome) -> bytes:
 
 
 def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:
-    """Yield what is wrong in how an answer works, though its results are right."""
+    """Yield faults in how an answer works although its results are right."""
     if not (whole.executed or whole.callers or whole.indirect):
         return
     seen = trial.looks(answer, whole)

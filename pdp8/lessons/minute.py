@@ -27,7 +27,7 @@ _SHOWN: Final = 60
 
 
 class Step(NamedTuple):
-    """What comes next: a sentence, and the key to be pressed, or what the switches are to say, else -1."""
+    """The next step: a sentence, and a key to press or the switches to set, else -1."""
 
     say: str
     key: str = ""
@@ -57,7 +57,7 @@ class Look(NamedTuple):
 
 
 class Minute:
-    """Guides somebody at the panel. `typed` says whether there is a keyboard to set the switches with."""
+    """Guides a visitor at the panel; `typed` says whether a keyboard can set the switches."""
 
     def __init__(self, typed: bool) -> None:
         self.typed = typed
@@ -67,7 +67,7 @@ class Minute:
         self.seen: Look | None = None
 
     def begin(self, machine: Machine) -> None:
-        """The switches are taken."""
+        """Called when the visitor takes the switches."""
         self.seen = self._look(machine)
         runs = "runs" if self.seen.run else "is stopped"
         self.did = f"The switches are yours. The computer {runs}; its tape reader is off."
@@ -91,7 +91,7 @@ class Minute:
         )  # fmt: skip
 
     def answer(self, key: str, machine: Machine) -> None:
-        """A key was pressed: say what it did."""
+        """Called when a key was pressed; say what it did."""
         before = self.seen
         self.seen = self._look(machine)
         self.key = key
@@ -99,7 +99,7 @@ class Minute:
         self.did = _done(key, before, self.seen)
 
     def next(self, machine: Machine) -> Step:
-        """Return what comes next; what the machine has done since the last look is said in `did`."""
+        """Return the next step; `did` says what the machine did since the last call."""
         before = self.seen
         now = self._look(machine)
         self.seen = now
@@ -132,7 +132,7 @@ class Minute:
         return self._put(look) if look.there else self._go(look)
 
     def _go(self, look: Look) -> Step:
-        """Return how one comes to where the next word belongs, or the program begins."""
+        """Return the step that loads the next word's address or the program's start."""
         place = f"{look.place:04o}"
         if look.sr == look.place:
             return Step(
@@ -146,7 +146,7 @@ class Minute:
         return self._flip(says, look.place)
 
     def _put(self, look: Look) -> Step:
-        """Return how the next word is put in, or the program started."""
+        """Return the step that deposits the next word or starts the program."""
         if look.at == len(PROGRAM):
             return Step("Five words: you have programmed a computer by hand. Press START.", "start")
         word, says = PROGRAM[look.at]
@@ -161,7 +161,7 @@ class Minute:
 
 
 def _done(key: str, before: Look, after: Look) -> str:
-    """Return what a key has done; one that runs hears STOP and two switches only."""
+    """Return what a key did; a running machine obeys only STOP and two switches."""
     if key == "stop":
         stopped = f"It has stopped: RUN is dark, and MEMORY ADDRESS says {after.ma:04o}."
         return stopped if before.run else "It had stopped already: STOP did nothing."
@@ -202,6 +202,6 @@ def _flipped(before: int, after: int) -> str:
 
 
 def _row(frame: int) -> str:
-    """Return what a row of the tape says."""
+    """Describe a row of the tape."""
     channels = " ".join([str(channel) for channel in range(8, 0, -1) if frame >> channel - 1 & 1])
     return f"{ascii.name(frame)} came in as {frame:03o}: its row has holes in channels {channels}."

@@ -54,7 +54,7 @@ def slips(source: str) -> Iterator[tuple[str, str]]:
 
 
 def _instead(word: str, tags: list[str]) -> list[str]:
-    """Return what may stand in place of a symbol or a number by a slip."""
+    """Return possible slips for a symbol or number."""
     if word[0].isdigit():
         return [f"{int(word, 8) + step:o}" for step in (1, -1) if int(word, 8) + step >= 0]
     if word in tags:

@@ -51,7 +51,7 @@ def _marked(exercise: Exercise, text: str, name: str) -> Result:
 
 
 def restated(exercise: Exercise) -> list[tuple[str, Result]]:
-    """Return the solution's marks when it is written otherwise, after in which way."""
+    """Return the marks of the solution written in other ways, after each way."""
     if not exercise.cases:
         return []
     source, trials = exercise.source, [each for case in exercise.cases for each in _all(case.trials)]
@@ -103,7 +103,7 @@ def _assembled(text: str) -> Answer:
 
 
 def _taken(exercise: Exercise, answer: Answer) -> bool:
-    """Tell whether every case takes an answer for right."""
+    """Tell whether every case accepts an answer."""
     trials = [each for case in exercise.cases for each in case.trials]
     if any(trial.missing(answer, each) for each in trials):
         return False
@@ -111,7 +111,7 @@ def _taken(exercise: Exercise, answer: Answer) -> bool:
 
 
 def _bounded(exercise: Exercise) -> Exercise:
-    """Return the exercise with so little machine time for each trial as a slip may take."""
+    """Return the exercise with a short time limit, enough for a slip."""
     answer = _assembled(exercise.solution)
     cases = []
     for case in exercise.cases:
@@ -134,7 +134,7 @@ _SAID = {
 
 
 def untold(exercise: Exercise) -> Iterator[str]:
-    """Yield what a case uses and the task does not say: tags, addresses, a restart, limits."""
+    """Yield what the cases use but the task does not mention: tags, addresses, restarts, limits."""
     asked = " ".join(exercise.asked.split())
     for case in exercise.cases:
         if not case.tests:
@@ -165,7 +165,7 @@ def _places(each: Trial) -> list[str]:
 
 
 def _told(place: str, asked: str) -> bool:
-    """Tell whether a text names a place: a tag, an address, or one in `0020 to 0021`, `from 0400 on`."""
+    """Tell whether a text mentions a place: a tag, an address, or a range around it."""
     if not place[0].isdigit():
         return re.search(rf"\b{tag(place)[0]}\b", asked) is not None
     address = int(place, 8)

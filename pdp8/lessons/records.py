@@ -102,7 +102,7 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
 
 
 def as_list(seeds: Mapping[str, int]) -> str:
-    """Return the seed of each answer's random cases as CSV."""
+    """Return CSV with the seed of each answer's random cases."""
     return "".join(f"{_cell(name)},{seed}\n" for name, seed in {"answer": "seed", **seeds}.items())
 
 

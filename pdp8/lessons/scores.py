@@ -66,7 +66,7 @@ def details(result: Result) -> Iterator[str]:
 
 
 def said(mark: Mark) -> Iterator[str]:
-    """Yield the lines of what failed, of the first few failures."""
+    """Yield the lines about failures, only the first few."""
     for failure in mark.failures[:_FAILURES]:
         yield from lines(failure)
     if len(mark.failures) > _FAILURES:

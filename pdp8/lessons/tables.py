@@ -25,7 +25,7 @@ _NEEDED = ("title", "task", "name", "ask")
 
 
 def table(given: object, where: str, fields: Mapping[str, Field]) -> dict[str, Any]:
-    """Return the values of a table, each converted by its field; those that must be there are."""
+    """Return a table's values, each converted by its field; required ones must be present."""
     if not isinstance(given, dict):
         raise ExerciseError(f"{where}: a table is wanted, not {given!r}")
     for key in given:
@@ -41,7 +41,7 @@ def table(given: object, where: str, fields: Mapping[str, Field]) -> dict[str, A
 
 
 def field(wanted: str, *kinds: type, fits: Callable[[Any], bool] = lambda value: True) -> Field:
-    """Return the field that takes values of these types alone, such as fit, as they are."""
+    """Return a field that accepts values of these types unchanged."""
 
     def convert(value: Any) -> Any:
         if type(value) not in kinds or not fits(value):
@@ -97,7 +97,7 @@ def _places(value: Any) -> tuple[str, ...]:
 
 
 def _starts_at(value: Any) -> tuple[str, ...]:
-    """Return the places at which a program may start; a list has the likeliest first."""
+    """Return the allowed start addresses, the likeliest first."""
     return _places(value) if isinstance(value, list) and value else (place(value),)
 
 

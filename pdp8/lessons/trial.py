@@ -109,10 +109,10 @@ def looks(answer: Answer, trial: Trial) -> Looks:
 
 
 class Tried:
-    """A machine with an answer in it, to be started as a trial says; `starts` has the trial of each START."""
+    """A machine with an answer, to be started as a trial says; `starts` has each START's trial."""
 
     def __init__(self, answer: Answer, trial: Trial, before: int = 0) -> None:
-        """Make the machine ready, and run it from the first START to the end of as many as come before."""
+        """Prepare the machine and run the STARTs before the first that counts."""
         self.answer = answer
         self.starts = [trial] * trial.starts + [*trial.again]
         self.machine = Machine()
@@ -125,7 +125,7 @@ class Tried:
             self.outcome(number)
 
     def start(self, number: int) -> None:
-        """Put in what START number `number` wants, and press it."""
+        """Set the inputs of START number `number`, and press START."""
         trial, machine, answer = self.starts[number], self.machine, self.answer
         if number == 0 or trial is not self.starts[number - 1]:
             for place, word in trial.deposit.items():
@@ -138,7 +138,7 @@ class Tried:
         machine.teletype.keyboard.press(trial.keys)
 
     def run(self, number: int) -> Stop:
-        """Run from START to the end; the stop where the program is left is a breakpoint."""
+        """Run to the end; leaving the program stops at a breakpoint."""
         machine, watch, seconds = self.machine, self.machine.watch, self.starts[number].seconds
         watch.breakpoints = set(self._free)
         stop = Stop(Reason.BREAKPOINT, machine.pc, 0)
@@ -151,13 +151,13 @@ class Tried:
         return stop
 
     def _owns(self, machine: Machine) -> None:
-        """Take the words that the program has written, also the first word of what it calls, for its own."""
+        """Count words that the program has written, and the entries it calls, as its own."""
         self._free = {
             at for at in self._free if self.left(at) and not (machine.ir == JMS and at == machine.ma)
         }
 
     def left(self, address: int) -> bool:
-        """Tell whether the word at `address` is none of the program's, and was not written by it either."""
+        """Tell whether `address` is outside the program and was not written by it."""
         return address in self._free and self.machine.processor.core[address] == self._filled[address]
 
     def outcome(self, number: int) -> Outcome:
@@ -182,7 +182,7 @@ def last(answer: Answer, trial: Trial, outcome: Outcome) -> int:
 
 
 def turns(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[int, int]:
-    """Return the lowest and the highest address of the loop in which the trial's time is over."""
+    """Return the lowest and highest address of the loop that ran out of time."""
     tried = Tried(answer, trial, outcome.number)
     tried.start(outcome.number)
     tried.run(outcome.number)
@@ -194,7 +194,7 @@ def turns(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[int, int]:
 
 
 def overwritten(answer: Answer, trial: Trial, outcome: Outcome) -> int | None:
-    """Return the first address whose word the answer has changed and executes, None if there is none."""
+    """Return the first executed address whose word the answer changed, or None."""
     changed = [each for each in answer.words if outcome.core[each] != outcome.before[each]]
     if not changed:
         return None

@@ -59,7 +59,7 @@ def hint(question: Question, given: str) -> str:
 
 
 def _is(question: Question, given: str, number: float, tolerance: float) -> bool:
-    """Tell whether `given` is `number` in the question's unit; a unit may be left out."""
+    """Tell whether `given` equals `number` in the question's unit, which may be omitted."""
     known = _known(question)
     words = _plain(given[given.rfind("=") + 1 :]).split()
     while words and words[0] in known and not _number(words[0]):
@@ -79,7 +79,7 @@ def _is(question: Question, given: str, number: float, tolerance: float) -> bool
 
 
 def _grouped(words: list[str]) -> str:
-    """Return a number and its unit, digits in groups of three put together: 2 789."""
+    """Return number and unit with digit groups joined: 2 789."""
     text = words[0] if words else ""
     for at in range(1, len(words)):
         before, word = words[at - 1], words[at]
@@ -93,7 +93,7 @@ def _near(question: Question, value: float, number: float, tolerance: float) -> 
 
 
 def _parted(text: str) -> tuple[list[float], str]:
-    """Return what number a text begins with, and the rest, its unit; 1,798 may be meant in two ways."""
+    """Return the possible numbers that a text begins with, as 1,798 has two, and the unit after it."""
     plain = _plain(text)
     end = 0
     while end < len(plain) and plain[end] in "+-.,0123456789":
@@ -120,7 +120,7 @@ def _same(question: Question, given: str, answer: str) -> bool:
 
 
 def _known(question: Question) -> list[str]:
-    """Return the words that an answer may have more than it needs."""
+    """Return the words that an answer may contain in addition."""
     return [word for word in [*_words(question.ask), *_FILLERS] if word != "not"]
 
 
@@ -167,7 +167,7 @@ def _words(text: str) -> list[str]:
 
 
 def _joined(numbers: list[str]) -> list[str]:
-    """Return a row of numbers without leading zeros, as one number if they are digits or thousands."""
+    """Return a row of digits or thousands as one number, and other numbers without leading zeros."""
     whole = [number.partition(".")[0] for number in numbers]
     digits = all(len(number) == 1 for number in numbers)
     if digits or (len(whole[0]) < 4 and all(len(each) == 3 and each.isdigit() for each in whole[1:])):

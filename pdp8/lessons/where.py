@@ -27,7 +27,7 @@ _NONE = -1
 
 
 class Place(NamedTuple):
-    """What goes wrong, in words; the address of the instruction; how many come before it from START on."""
+    """A sentence on what goes wrong, the instruction's address, and how many came before it since START."""
 
     says: str
     address: int
@@ -35,7 +35,7 @@ class Place(NamedTuple):
 
 
 class _Seen:
-    """What a run does, instruction by instruction: each place is how many instructions come before."""
+    """Records what a run does; a place is the number of instructions before it."""
 
     def __init__(self, machine: Machine, word: int, low: int, high: int) -> None:
         self._line = machine.teletype.transmitter
@@ -70,7 +70,7 @@ class _Seen:
             self._lac, self.changed = p.lac, self._at
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        """Take notice that a waiting loop was passed over: the line may be free now."""
+        """A waiting loop was skipped: the line may be free now."""
         self._sends = self._line.register != 0
 
 
@@ -95,7 +95,7 @@ def find(answer: Answer, whole: Trial, failed: Failed) -> Place:
 
 
 def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
-    """Return what goes wrong, and how many instructions come before."""
+    """Return what goes wrong, and after how many instructions."""
     for wrong in failed.failures:
         if isinstance(wrong.expected, bytes) or wrong.what == "the page":
             if seen.early != _NONE:
@@ -125,7 +125,7 @@ def _text(value: str | bytes) -> str:
 
 
 def standing(answer: Answer, whole: Trial, number: int) -> Machine:
-    """Return a machine as it is when START number `number` has been pressed, standing still."""
+    """Return a machine stopped just after START number `number` was pressed."""
     tried = Tried(answer, whole, number)
     tried.start(number)
     tried.machine.stop()

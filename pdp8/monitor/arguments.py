@@ -58,7 +58,7 @@ def _escaped(escape: re.Match[str]) -> str:
 
 
 def as_it_stands(rest: str) -> list[str]:
-    """Return what stands after a command's name and one blank as one word."""
+    """Return everything after a command's name and one blank as one word."""
     return [rest[1:]]
 
 

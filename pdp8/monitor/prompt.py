@@ -58,7 +58,7 @@ class Monitor:
         self.attend(machine or Machine())
 
     def attend(self, machine: Machine) -> None:
-        """Turn to `machine`."""
+        """Use `machine` from now on."""
         self.machine = machine
         self.reels.look_at(machine)
         self.history = History(machine)
@@ -72,7 +72,7 @@ class Monitor:
         """How many frames of it `page` has shown."""
 
     def turn_to(self, text: str) -> None:
-        """Turn to the machine whose state `text` is; devices, reels, breakpoints and pace stay."""
+        """Use the machine of state `text`; devices, reels, breakpoints and pace stay."""
         watch, pace = self.machine.watch, self.operator.pace
         fitted = [type(device)() for device in self.machine.devices]
         self.attend(state.restore(text, fitted, self.reels.images(), fitting.known()))
@@ -103,7 +103,7 @@ class Monitor:
         return [ending.said(why, self.listing, self.machine.core) for why in wrong]
 
     def address(self, text: str) -> int:
-        """Return the address that `text` names: octal, or a symbol, plus and minus octal numbers."""
+        """Return the address of `text`: octal numbers and symbols, added and subtracted."""
         name, *offsets = re.split("(?=[+-])", text)
         if name.isdecimal() and "-" in text:
             raise MonitorError(f"{text}: a range, where one address was expected")
@@ -126,7 +126,7 @@ class Monitor:
         return octal(name, self.machine.memory - 1)
 
     def range(self, text: str) -> range:
-        """Return the addresses of A, of A:B, of A-B where both are numbers, or of N words from A on, A/N."""
+        """Return the addresses of A, A:B, A-B for numbers, or A/N for N words."""
         begin_at, counts, words = text.partition("/")
         if counts:
             begin = self.address(begin_at)

@@ -82,7 +82,7 @@ def expect(monitor: Monitor, *arguments: str) -> None:
 
 
 def _goal(arguments: Sequence[str]) -> Goal:
-    """Return what [SECONDS] or until TEXT [N times] [SECONDS] asks for. Raises MonitorError."""
+    """Return the goal of [SECONDS] or until TEXT [N times] [SECONDS]. Raises MonitorError."""
     if arguments[:1] != ("until",):
         some(arguments, "seconds, or until TEXT,", 0, 1)
         return Goal(seconds(arguments[0])) if arguments else Goal()
@@ -98,7 +98,7 @@ def _goal(arguments: Sequence[str]) -> Goal:
 
 
 def text_of(word: str) -> str:
-    """Return the text that is looked for: a word, what stands in quotes, or a code by its name."""
+    """Return the wanted text: a word, a quoted text, or a code's name."""
     text = word if isinstance(word, Quoted) else _CODES.get(word.upper(), word)
     if not text:
         raise MonitorError("a text expected, not an empty one")
@@ -106,7 +106,7 @@ def text_of(word: str) -> str:
 
 
 def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
-    """Press START or CONT, and run as far as `goal` says; under SING STEP the key has done the one cycle."""
+    """Press START or CONT and run to `goal`; under SING STEP the key runs one cycle."""
     monitor.operator.press(key)
     machine = monitor.machine
     if machine.panel.sing_step and not goal.times:
@@ -116,7 +116,7 @@ def _begin(monitor: Monitor, key: str, goal: Goal) -> None:
 
 
 def _pursue(monitor: Monitor, goal: Goal) -> None:
-    """Run as far as `goal` says; say how a run ended that no text was to end."""
+    """Run to `goal`; report how the run ended if no text ended it."""
     if goal.times:
         monitor.expected = len(monitor.machine.teletype.printer.frames)
         _send(monitor)
@@ -133,7 +133,7 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
 
 
 def _send(monitor: Monitor) -> None:
-    """Do what was to be done once the machine runs: press keys."""
+    """Press the keys that waited for the machine to run."""
     while monitor.once_running:
         monitor.once_running.pop(0)()
 
@@ -153,7 +153,7 @@ def _wait_for(monitor: Monitor, goal: Goal) -> None:
 
 
 def _passed(monitor: Monitor, text: str, most: int) -> int:
-    """Go past the text in what was printed since `monitor.expected`, `most` times; return how often."""
+    """Move past the text in the page since `monitor.expected`, at most `most` times; return how often."""
     page = bytes(frame & 0o177 for frame in monitor.machine.teletype.printer.frames[monitor.expected :])
     *passed, rest = page.split(bytes(ord(character) & 0o177 for character in text), most)
     monitor.expected += len(page) - len(rest)

@@ -39,7 +39,7 @@ _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "
 
 
 def absent(name: str) -> str:
-    """Return what a device of SIMH's is that this machine has not; "" for another word."""
+    """Return what a SIMH device is that this machine lacks, "" for other words."""
     return _ABSENT.get(name.lower()) or _ABSENT.get(name.lower().rstrip("0123456789"), "")
 
 

@@ -61,7 +61,7 @@ def clock(tick: int) -> str:
 
 
 class Kind(StrEnum):
-    """What an act is about."""
+    """The subject of an act."""
 
     TERMINAL = "terminal"
     TOGGLE = "toggle"
@@ -92,7 +92,7 @@ class Act(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """What the inspection found: the act's name, its sentence, its outcome."""
+    """The inspection's result: the act's name, its sentence, its outcome."""
 
     name: str
     say: str
@@ -116,12 +116,12 @@ class Course:
 
 
 def _bin_tape(assembly: Assembly) -> bytes:
-    """Return the tape of the BIN loader, which RIM reads."""
+    """Return the BIN loader's tape for RIM."""
     return rim.encode(assembly.words)
 
 
 def _eia_tape(assembly: Assembly) -> bytes:
-    """Return the tape of the translation program, from its leader, for the BIN loader."""
+    """Return the translation program's tape, from its leader on, for BIN."""
     return assembly.tape[frames.leader_start(assembly.tape) or 0 :]
 
 
@@ -170,7 +170,7 @@ class Day:
 
     @property
     def course(self) -> Course:
-        """The results of the day, from which script makes any instant of it again."""
+        """The day's results, from which a Script can restore any instant."""
         return Course(self.part, self.acts, self.actions, self.tapes, self.mill_starts)
 
     @property

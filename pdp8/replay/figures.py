@@ -34,7 +34,7 @@ def compare(afternoon: "Afternoon") -> list[Figure]:
 
 
 def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
-    """Yield blocks and minutes; how the minutes at the machine are made up; and those at another feed."""
+    """Yield blocks and minutes, the parts of the machine time, and the minutes at another feed."""
     minutes, times = afternoon.minutes, afternoon.path.times
     yield "blocks", said.blocks, f"{len(afternoon.path)}"
     for name, own in minutes.items():

@@ -75,7 +75,7 @@ class Session:
         return bytes(frame & 0o177 for frame in self.teletype.printer.frames).decode("ascii")
 
     def boot(self) -> Iterator[None]:
-        """Boot PS/8 from drive 0, its bootstrap in core in no time."""
+        """Boot PS/8 from drive 0; loading its bootstrap takes no time."""
         reels.boot(self.machine)
         yield from self.until(".")
 
@@ -142,7 +142,7 @@ class Own(Afternoon):
         yield from self.session.type("\x03", ".", ended="")
 
     def _tear_off(self) -> str:
-        """Take the tape as it was punched, less the dot that PS/8 typed behind it; return what it has."""
+        """Remove the tape without the dot that PS/8 typed at its end; return its text."""
         tape = self.tapes[f"{self.part}.asc"] = self.machine.teletype.punch.tape[: -len(_DOT)]
         printed = lines_of(ascii.decode(tape).replace(".", ""))
         pairs = zip_longest(printed, lines_of(self.text))

@@ -38,9 +38,7 @@ def _minutes(printout: str, feed_code: int | None = None, feed_error: float = 0.
 
 
 def rivals() -> Iterator[list[str]]:
-    """Yield each cell of Table 10.1 with its rivals: the tape's own time, 3 s a block, ours at 1 in/min or
-    its feeds.
-    """
+    """Yield each cell of Table 10.1 with its rivals: the tape's time, 3 s a block, 1 in/min, its feeds."""
     for name, row in TABLE_10_1.items():
         cells = {
             "step-wise": (row.step, Milling(), SLOWEST),
@@ -70,9 +68,7 @@ def feeds() -> Iterator[list[str]]:
 
 
 def ranges() -> Iterator[list[str]]:
-    """Yield the blocks of each range in quarter inches, up to 10 in along Y, with three crossings of the
-    axis.
-    """
+    """Yield the blocks of each range in quarter inches, up to 10 in along Y, that has three crossings."""
     program, said = PARTS["polynomial"].program(), TABLE_10_1["polynomial"].step.blocks
     for first, last in product((-0.25, -0.5, -0.75, -1.0), (6.25, 6.5, 6.75)):
         blocks = program(from_=first, to=last, origin_y=5.0).count("\n")
@@ -80,7 +76,7 @@ def ranges() -> Iterator[list[str]]:
 
 
 def die() -> Iterator[list[str]]:
-    """Yield the blocks of the die's opening, 6 x 3 in being the cutter's path, or the hole it leaves."""
+    """Yield the blocks of the die's opening, for 6 x 3 in as the cutter's path or as the hole."""
     program, said = PARTS["die"].program(), TABLE_10_1["die"].step.blocks
     for what, axes in (("path", (3000, 1500)), ("hole", (2750, 1250))):
         blocks = program(major=axes[0], minor=axes[1]).count("\n")
@@ -89,7 +85,7 @@ def die() -> Iterator[list[str]]:
 
 
 def element() -> Iterator[list[str]]:
-    """Yield the blocks and minutes of the fluidic element's programs, by both rules where a cut stops."""
+    """Yield the blocks and minutes of the fluidic element's programs, by both rules for where cuts stop."""
     blocks = {"main": 2050, "control": 600, "both": TABLE_10_1["fluidic"].step.blocks}
     for rule, (name, said) in product(("boundary", "inside"), blocks.items()):
         printout = PARTS["fluidic"].program()(program=name, milling=Milling(stop=rule))  # type: ignore[arg-type]

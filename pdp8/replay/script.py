@@ -33,7 +33,7 @@ _APART: Final = 10 * TICKS_PER_SECOND
 
 
 class Unit(StrEnum):
-    """What a step is."""
+    """The size of a step."""
 
     BLOCK = "block"
     CHARACTER = "character"
@@ -42,7 +42,7 @@ class Unit(StrEnum):
 
 
 class Script:
-    """A day that can be looked at, at any instant: `now` is in ticks of 0.05 µs since it began."""
+    """A day at any instant: `now` is in ticks of 0.05 µs since it began."""
 
     def __init__(self, day: Course) -> None:
         self.day = day
@@ -62,7 +62,7 @@ class Script:
 
     @cached_property
     def _rows(self) -> list[int]:
-        """The ticks at which the terminal has punched a frame, or the Hydra-Point's head is at a row."""
+        """The ticks at which the terminal punches a frame or the Hydra-Point reads a row."""
         path = self.day.path
         reading = path.read_seconds * TICKS_PER_SECOND
         punched = [number * FRAME for number in range(1, len(self._printout) + 1)]
@@ -72,7 +72,7 @@ class Script:
 
     @cached_property
     def _blocks(self) -> list[int]:
-        """Those at which a line ends at the terminal, or a block begins at the Hydra-Point."""
+        """The ticks at which a line ends at the terminal or a block begins at the Hydra-Point."""
         ends = [number * FRAME for number, frame in enumerate(self._printout, 1) if frame & 0o177 == CR]
         return ends + [round(begins) for begins in self._begins]
 
@@ -144,7 +144,7 @@ class Script:
 
     @property
     def _acted(self) -> int:
-        """When the last action was done."""
+        """The tick of the last action."""
         return self.action.at if self.action else 0
 
     def _next_cycle(self, whole: bool) -> None:
@@ -165,7 +165,7 @@ class Script:
 
     @property
     def _next_action(self) -> int:
-        """When the next action is done, or the day ends."""
+        """The tick of the next action or of the day's end."""
         return self.day.actions[self.done].at if self.done < len(self.day.actions) else self.end
 
     def _instants(self, unit: Unit, until: int) -> Iterator[int]:
@@ -189,7 +189,7 @@ class Script:
                 yield self.now
 
     def _event(self, act: Act) -> int:
-        """Return the tick at which the next thing may happen."""
+        """Return the tick of the next possible event."""
         soon = min(self._next_action, act.ends)
         if act.kind in (Kind.TERMINAL, Kind.MILL):
             return min(soon, _first_from(self._rows, self.now + 1))
@@ -227,7 +227,7 @@ class Script:
         self.now = tick
 
     def _do(self, action: Action) -> None:
-        """Do what the operator did."""
+        """Carry out the operator's action."""
         operator = Operator(self.machine)
         if action.key == "sr":
             operator.set_switches(int(action.value or 0))
@@ -240,7 +240,7 @@ class Script:
 
 
 def go_on(machine: Machine, until: int) -> None:
-    """Run until the last cycle that ends at tick `until` or before; stopped, let time pass."""
+    """Run the last cycle that ends by tick `until`; let time pass if the machine is stopped."""
     p = machine.processor
     while p.run and p.next != FETCH and p.clock + CYCLE <= until:
         p.cycle()
@@ -261,6 +261,6 @@ def _cycle(machine: Machine) -> int:
 
 
 def _first_from(ticks: list[int], tick: int) -> int:
-    """Return the first of `ticks` at `tick` or later; if there is none, a tick after every other."""
+    """Return the first of `ticks` from `tick` on, or one later than all."""
     at = bisect_left(ticks, tick)
     return ticks[at] if at < len(ticks) else 1 << 52

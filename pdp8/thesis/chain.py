@@ -23,7 +23,7 @@ def printout(part: str, **constants: Any) -> str:
 
 
 def nominal(part: str) -> Nominal:
-    """Return the curve that a part follows, which has one."""
+    """Return the curve that the part follows; it must have one."""
     found = parts.find(part).nominal()
     assert found, part
     return found

@@ -18,7 +18,7 @@ _FORM = "NAME | WHAT THE PAGE HAS | WHO LOOKED, WHERE, WHEN"
 
 
 class Conjecture(NamedTuple):
-    """A reading that is not settled; `rivals` are the others with what each would change."""
+    """An unsettled reading; `rivals` are the others, with what each would change."""
 
     name: str
     page: str
@@ -66,13 +66,13 @@ def alike(one: str, other: str) -> bool:
 
 
 def settled(target: str) -> bool:
-    """Whether the conjectures that `target` depends on were read, and the page has ours."""
+    """Whether the conjectures behind `target` were looked up and found as ours."""
     given, on = answers(), [each for each in conjectures().values() if target in each.targets.split(", ")]
     return bool(on) and all(alike(given.get(each.name, ""), each.ours) for each in on)
 
 
 def as_read(row: Any, artefact: str) -> Any:
-    """Return a row of evidence; a conjecture that was read gets the page's words and the class `read`."""
+    """Return a row of evidence with the page's words and the class `read`, if it was looked up."""
     for each in conjectures().values() if row.kind == "conjecture" else ():
         words = answers().get(each.name, "")
         if words and artefact == each.targets and each.ours in row.ours:
@@ -93,7 +93,7 @@ def table(given: dict[str, str], places: dict[str, str]) -> Table:
 
 
 def state(conjecture: Conjecture, answer: str | None) -> str:
-    """Return `conjectured`, `read` if the page has ours, or what it has and what that changes."""
+    """Return `conjectured`, `read` if the page agrees, or its reading and what that changes."""
     if answer is None or alike(answer, conjecture.ours):
         return "conjectured" if answer is None else "read"
     changes = (change for reading, change in conjecture.rivals.items() if alike(answer, reading))

@@ -34,7 +34,7 @@ _Maker = Callable[..., Iterator[tuple[str, ...]]]
 
 
 def page(text: str) -> str:
-    """Return `text` with every generated table made again."""
+    """Return `text` with every generated table renewed."""
     return _SECTION.sub(lambda found: found[1] + _table(found[2], found[3].split()) + found[4], text)
 
 

@@ -19,7 +19,7 @@ DIFFERS, NOT_MADE = "differs", "not made here"
 
 
 class Input(NamedTuple):
-    """Something that a number is made from."""
+    """A value that a number is computed from."""
 
     kind: str
     why: str = ""
@@ -36,7 +36,7 @@ INPUTS: Final = {
 
 
 def state(made: bool, agrees: bool, inputs: tuple[str, ...]) -> str:
-    """Return a number's state, from whether we make it, whether it agrees, and what it is made from."""
+    """Return a number's state, by whether we compute it, whether it agrees, and from which inputs."""
     if not made:
         return NOT_MADE
     if any(INPUTS[name].kind == "fitted" for name in inputs):

@@ -16,7 +16,7 @@ from tapes.errors import WorkError
 
 
 class Made(NamedTuple):
-    """What was made of an item: its file, its table if it is a table, and its tape if it has one."""
+    """The product of an item: its file, its table if it is one, its tape if any."""
 
     item: Item
     name: str

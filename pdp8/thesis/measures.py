@@ -40,7 +40,7 @@ _Value = Measure | Callable[[], Measure]
 
 
 class Made(NamedTuple):
-    """What we make of a number, and the names of its inputs."""
+    """Our value of a number, and the names of its inputs."""
 
     value: _Value
     inputs: tuple[str, ...]
@@ -57,12 +57,12 @@ def measure(name: str) -> Measure:
 
 
 def value(name: str) -> Measure:
-    """Return a measure by its name; one that takes long is read from measured.json."""
+    """Return a measure by name; slow ones are read from measured.json."""
     return _kept()[name] if callable(_table()[name].value) else measure(name)
 
 
 def computed(names: Iterable[str]) -> dict[str, Measure]:
-    """Compute those of the named measures that take long."""
+    """Compute the slow ones of the named measures."""
     return {name: measure(name) for name in names if name and callable(_table()[name].value)}
 
 
@@ -287,7 +287,7 @@ _CONTOUR: Final = {
 
 
 def _of_part(part: str) -> _Groups:
-    """What the thesis counts and times of a part: its tape, and its machining by both techniques."""
+    """A part's blocks and times in the thesis: its tape, and its machining by both techniques."""
     contour, pieces = _CONTOUR[part], f"{_CONTOUR[part]}, ±20 %, codes 01 to 05"
     return {
         contour: {f"{part} blocks": lambda: len(chain.path(part))},
@@ -379,7 +379,7 @@ def _tape_minutes(part: str) -> float:
 
 
 def _default(part: str, parameter: str) -> Any:
-    """Return what a part program has for one of its constants."""
+    """Return the default of a part program's constant."""
     return signature(PARTS[part].program()).parameters[parameter].default
 
 

@@ -53,7 +53,7 @@ def fortran_line(scan: str) -> str:
 
 
 def _taken(pattern: re.Pattern[str], text: str) -> tuple[str, str]:
-    """Return `text` without what `pattern` finds, and what it finds."""
+    """Return `text` without the match of `pattern`, and that match."""
     found = pattern.search(text)
     if not found:
         return text, ""

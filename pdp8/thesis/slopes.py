@@ -65,7 +65,7 @@ def _one_instruction(x_code: int, y_code: int) -> nc.Path:
 
 
 def _cone(view: View) -> None:
-    """Shade where the first ratio may lead, from X fast and Y slow to X slow and Y fast."""
+    """Shade the area between the first ratio's extremes of the feeds."""
     x_feed, y_feed = XY_FEED[2], XY_FEED[1]
     reach = []
     for error in (FEED_TOLERANCE, -FEED_TOLERANCE):
@@ -151,7 +151,7 @@ def _milled(path: nc.Path) -> _Places:
 
 
 def _stops(path: nc.Path) -> _Places:
-    """Return where the blocks that mill end."""
+    """Return the ends of the milling blocks."""
     return [
         (step.at.x, step.at.y)
         for step in path.steps

@@ -80,7 +80,7 @@ def instructions(artefact: str) -> Table:
 
 
 def word(statement: str) -> int:
-    """Return the word that a statement at 0200 is."""
+    """Return the word of a statement at 0200."""
     return pal.assemble(f"*200\n\t{statement}\n$\n").words[0o200]
 
 

@@ -81,7 +81,7 @@ def _pages(lines: list[tuple[Row, list[bool]]], artefact: str) -> Iterator[str]:
 
 
 def _is_misread(row: Row, artefact: str) -> bool:
-    """Whether the scan has this line with some characters that are not ours."""
+    """Whether the scan shows this line with some other characters."""
     if row.kind == "damaged":
         return row.scan != "^"
     return artefact in TABLES and row.kind == "conjecture" and len(read(row.scan, artefact)) == len(row.ours)

@@ -117,7 +117,7 @@ def _by_chance(draw: random.Random, codes: tuple[int, int]) -> list[Event]:
 
 
 class Devices:
-    """The Teletype and the PC8/L of a machine as switched on, which does nothing but single IOTs."""
+    """The Teletype and PC8/L of a new machine that executes only single IOTs."""
 
     def __init__(self) -> None:
         self.machine = Machine([Teletype(), HighSpeed()])
@@ -130,7 +130,7 @@ class Devices:
         return self.machine.processor.clock
 
     def see(self) -> list[tuple[int, Event]]:
-        """Return each flag, and each reader's and punch's count, with the event that led to it."""
+        """Return each flag and tape position, with the event that changed it."""
         teletype, fast = self.machine.teletype, self.machine.highspeed
         read = ((READER, fast.reader.position), (RECEIVER, teletype.reader.position))
         told = (("print", teletype.printer.frames), ("punch", fast.punch.frames))
@@ -173,7 +173,7 @@ class Devices:
 
 
 def play(devices: Devices, inputs: Sequence[Event], ticks: int) -> list[Event]:
-    """Return the events of so many ticks: the inputs, and what comes of them."""
+    """Return the events of so many ticks: inputs and their results."""
     events: list[Event] = []
     seen = devices.see()
 

@@ -34,7 +34,7 @@ _RANDOM, _HANDS, _SEED = 400, 16, 1968
 
 
 def vectors() -> Iterator[Vector]:
-    """Yield vectors for each key in each cycle, for what the sources do otherwise, and by chance."""
+    """Yield vectors for each key in each cycle, for disputed cases, and random ones."""
     for name, words, hands in _directed():
         yield _vector(name, words, hands)
     draw = random.Random(_SEED)
@@ -66,7 +66,7 @@ def _directed() -> Iterator[tuple[str, dict[int, int], list[Hand]]]:
 
 
 def _by_chance(draw: random.Random) -> tuple[dict[int, int], list[Hand]]:
-    """Return words on page zero and from 0200 on, and hands; for half of them the printer's flag is up."""
+    """Return random words on page zero and from 0200 on, and random keys; half have the printer's flag up."""
     words = {address: draw.getrandbits(12) for address in (*range(0o20), *range(0o200, 0o220))}
     words |= {address: draw.choice(_IOTS) for address, word in words.items() if word >> 9 == 0o6} | _FLAG_UP
     up = [*_at(0o170), _START, (RUN, 0), *_at(0o200), _STEP]
@@ -104,7 +104,7 @@ def _vector(name: str, words: dict[int, int], hands: list[Hand]) -> Vector:
 
 
 def hand(machine: Machine, what: str, value: int) -> dict[str, Any]:
-    """Do what a hand does, which takes a tenth of a second; return the lamps then."""
+    """Do one action of the operator, a tenth of a second long; return the lamps."""
     panel = machine.panel
     if what in SWITCHES:
         setattr(panel, what, value)

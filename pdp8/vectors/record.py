@@ -20,7 +20,7 @@ _EMPTY = array("H", bytes(2 * 0o10000))
 
 
 class Recorder:
-    """A machine whose instructions are written down."""
+    """A machine that records its instructions as vectors."""
 
     def __init__(self) -> None:
         self.machine = Machine([Teletype(), HighSpeed()])
@@ -40,7 +40,7 @@ class Recorder:
         flags: tuple[int, ...],
         mem_prot: int = 0,
     ) -> Vector:
-        """Return what so many instructions do, fewer if the machine stops, and the interrupt that follows."""
+        """Return the vectors of so many instructions, up to a stop, and of the interrupt that follows."""
         machine, p = self.machine, self.machine.processor
         machine.power_up()
         for device in machine.bus:
@@ -79,13 +79,13 @@ class Recorder:
 
 @cache
 def models(words: tuple[int, ...]) -> list[str]:
-    """Return the models on which all words do as on an 8/L."""
+    """Return the models on which all words do the same as on an 8/L."""
     does = [rule.does for word in words for rule in rules(word)]
     return [model for model in MODELS if all(rule.get(model) == rule["8/L"] for rule in does)]
 
 
 def _core(state: State, word: int) -> dict[int, int]:
-    """Return the words that the instruction `word` at the PC of `state` will touch."""
+    """Return the words of core that instruction `word` will use."""
     core = {}
     if word >> 9 < IOT:
         address = refers_to(word, state.pc)

@@ -14,7 +14,7 @@ _SEED = 1971
 
 
 class State(NamedTuple):
-    """The registers, and what an address leads to."""
+    """The registers, and what the address refers to."""
 
     pc: int
     ac: int

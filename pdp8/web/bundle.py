@@ -44,7 +44,7 @@ def included(name: str) -> str:
 
 
 def module(name: str) -> str:
-    """Return a module, by its path from the house, such as pdp8/web/workbench or pal/isa."""
+    """Return a module by its path in the repository, such as pdp8/web/workbench or pal/isa."""
     python = translator.translated().get(name.replace("/", "."))
     return python if python is not None else source(f"{name.removeprefix(_HERE)}.mjs")
 
@@ -133,13 +133,13 @@ def _path(name: str, path: str) -> str:
 
 
 def _scope(name: str, text: str) -> str:
-    """Return `text` as a constant that holds what it exports."""
+    """Return `text` as a constant that contains its exports."""
     exported = ", ".join(exports(text))
     return f"const {_identifier(name)} = (() => {{\n{_body(name, text)}\nreturn {{ {exported} }};\n}})();"
 
 
 def _body(name: str, text: str) -> str:
-    """Return `text` with its imports as constants that come from the modules before."""
+    """Return `text` with its imports replaced by constants of earlier modules."""
 
     def constant(match: re.Match[str]) -> str:
         names = match[1].removeprefix("* as ").replace(" as ", ": ")

@@ -9,7 +9,7 @@ from tapes.quantities import counted
 
 
 class Said(NamedTuple):
-    """A diagnostic: its line, from 1; its columns, from 0 and as far as `end`; in a few words, and whole."""
+    """A diagnostic: line, from 1; columns, from 0 to before `end`; its short and its whole text."""
 
     line: int
     start: int
@@ -56,7 +56,7 @@ def findings(assembly: Assembly) -> Findings:
 
 
 def here(message: str) -> str:
-    """Return a message without what it says of the command's options."""
+    """Return a message without advice on the command's options."""
     return "; ".join(part for part in message.split("; ") if "--" not in part)
 
 

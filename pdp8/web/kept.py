@@ -16,7 +16,7 @@ _NOT_SOURCES = (".pyc", ".so", ".pyd")
 
 
 def kept(name: str, content: str, make: Callable[[], Any]) -> Any:
-    """Return what `make` makes of `content`, from the cache if `content` is unchanged."""
+    """Return `make(content)`, from the cache if `content` is unchanged."""
     folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "pdp8"
     path = folder / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
     try:
@@ -32,7 +32,7 @@ def kept(name: str, content: str, make: Callable[[], Any]) -> Any:
 
 
 def house() -> str:
-    """Return a digest of all that our packages consist of, where they are installed."""
+    """Return a digest of our installed packages."""
     digest = hashlib.sha256()
     for package in _PACKAGES:
         spec = find_spec(package)

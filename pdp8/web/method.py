@@ -47,12 +47,12 @@ class Made:
 
     @cached_property
     def way(self) -> list[Position]:
-        """Where milling begins, and the end of each cut."""
+        """The start of milling and the end of each cut."""
         return [self.path.cuts[0].start, *[move.end for move in self.path.cuts]]
 
     @property
     def stops(self) -> list[Position]:
-        """Where the blocks that mill end."""
+        """The ends of the milling blocks."""
         return [step.at for step in self.path.steps if step.block.preparatory == Preparatory.MILL]
 
     @property
@@ -62,7 +62,7 @@ class Made:
 
     @property
     def reading(self) -> float:
-        """Minutes in which the contour's blocks are read."""
+        """Minutes to read the contour's blocks."""
         return self.path.contour.reading / 60
 
     @property
@@ -109,13 +109,13 @@ def drawn(heights: list[float], tolerance: float) -> Made:
 
 
 def quarter(tolerance: float, feed: int) -> Made:
-    """Mill a quarter of the circle by steps, from 9 o'clock to 12, to its very end, at the feed of a code."""
+    """Mill a quarter of the circle by steps, from 9 to 12 o'clock, at a code's feed."""
     curve = arc(Point(CENTRE, CENTRE), RADIUS, 180, -90, tolerance)
     return _milled(curve, Milling("step", feed))
 
 
 def circle(tolerance: float, close: bool = False) -> Made:
-    """Mill the whole circle; not `close`, as the listing leaves it, with its last cut missing."""
+    """Mill the whole circle; without `close` the last cut is missing, as in the listing."""
     if not close:
         return _made(listed.part(radius=RADIUS, tolerance=tolerance))
     inner, outer = RADIUS - tolerance, RADIUS + tolerance
@@ -141,7 +141,7 @@ class Character:
 
 
 def characters(words: Iterable[tuple[int, int]], frames: bytes) -> list[Character]:
-    """Return what the program `words`, of addresses and words, does with each of the frames."""
+    """Return what the program `words` does with each of the frames."""
     machine = started(words, frames)
     processor = machine.processor
     done: list[Character] = []

@@ -59,7 +59,7 @@ def _option(constant: Constant) -> dict[str, Any]:
 
 
 def _form(asked: list[Constant], arguments: list[list[Any]]) -> str:
-    """Return the fields of all options; those of milling and header, which parts share, behind a door."""
+    """Return all options' fields; those that parts share are folded."""
     shared = {name for argument in arguments for name in argument[2:] and argument[2]}
     own, others = (
         "".join(_field(_option(each)) for each in asked if (each.name in shared) == more)

@@ -20,7 +20,7 @@ BLOCK = f"<p>{''.join(_FIELDS)}</p>"
 
 
 def passing(frames: bytes, head: int, code: Code) -> list[str]:
-    """Return the two texts of each field of the block at the frame `head`; none where there are no blocks."""
+    """Return two texts for each field of the block at frame `head`; none if there is no block."""
     if not isinstance(code, Characters):
         return []
     first = max(0, head)
@@ -47,7 +47,7 @@ def passing(frames: bytes, head: int, code: Code) -> list[str]:
 
 
 def _digit(frame: int, code: Code) -> str:
-    """Return a digit or the end of a block; a space is a zero, another character of ASCII is passed over."""
+    """Return a digit or end of block; a space is a zero, other ASCII is skipped."""
     if code is codes.EIA:
         return eia.CHARACTERS.get(frame, "").replace("\n", _END)
     character = frame & 0o177

@@ -42,7 +42,7 @@ _CLOSE = 250.0
 
 
 def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
-    """Return it with `afternoon`, or the usual one; tapes as text, a character a frame."""
+    """Return the record with `afternoon` or the usual one; tapes are texts, a character a frame."""
     tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
     done = afternoon or replay(_USUAL)
     tapes |= {f"{done.part}.{code}": done.tapes[f"{done.part}.{code}"] for code in ("asc", "eia")}
@@ -69,7 +69,7 @@ def _exercises() -> dict[str, Any]:
 
 
 def _afternoon(done: Afternoon, tapes: Mapping[str, bytes]) -> dict[str, Any]:
-    """Return what the page needs to have any instant again, and what it cannot compute."""
+    """Return what the page needs to restore any instant and cannot compute itself."""
     inspection = done.inspection
     found: dict[str, Any] = {
         "part": done.part,
@@ -98,7 +98,7 @@ def _graph(inspection: Inspection | None) -> str:
 
 
 def _steps(path: str) -> str:
-    """Return a path in SVG of M, L and Z by steps instead of places: packed they take half as much."""
+    """Return an SVG path of M, L and Z with relative steps, which compress to half."""
     found, x, y = [], 0, 0
     for command, *place in re.findall(r"([ML])(-?[\d.]+) (-?[\d.]+)|(Z)", path):
         if command:

@@ -42,7 +42,7 @@ class Cells(NamedTuple):
 
 
 def on_paper(flat: Flat, edged: Array) -> Array:
-    """Return which rows have paper around them, and a hole in it: from the first that has to the last."""
+    """Return which rows are on paper: from the first with a hole to the last."""
     u = np.arange(len(edged), dtype=float)[:, None]
     v = np.arange(-2.5, 5)
     light = [flat.take(flat.light, *np.broadcast_arrays(u + off, v)) for off in (-0.3, 0, 0.3)]
@@ -56,7 +56,7 @@ def on_paper(flat: Flat, edged: Array) -> Array:
 
 
 def ends(flat: Flat, tape: Sheet, pictures: sprockets.Sizes, there: Array) -> Array:
-    """Return which rows are a first or last one beyond which there is room for another one on the paper."""
+    """Return which rows are first or last although the paper has room for another."""
     found = np.zeros(len(there), dtype=bool)
     rows = np.nonzero(there)[0]
     v = np.arange(-2.5, 5)
@@ -80,7 +80,7 @@ _RING = 0.52 * np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1)
 
 
 def measure(flat: Flat, length: int) -> Cells:
-    """Measure each place of a hole beside the paper at its four corners."""
+    """Measure each hole's place beside the paper at its four corners."""
     rows, tracks = np.arange(length, dtype=float)[:, None], np.arange(-3.0, 6)
     between = np.broadcast_arrays(np.arange(-0.5, length)[:, None], np.arange(-3.5, 6))
     corners = flat.take(cv2.blur(flat.light, (3, 3)), *between)
@@ -107,10 +107,7 @@ def measure(flat: Flat, length: int) -> Cells:
 
 
 def full_darkness(core: Array, sprocket: Array) -> Array:
-    """Return how dark a hole is around each frame, as a part of the paper's light, by the clear ones near.
-
-    Sprocket holes, which are everywhere, are blurred more than code holes: these count where there are any.
-    """
+    """Return a hole's full darkness around each frame, over the paper's light, by clear holes near."""
     clear = core > 0.5 * sprocket[:, None]
     more = np.median(core[clear]) / np.median(sprocket) if clear.sum() > 8 else 1.1
     full = np.empty(len(core))
@@ -122,7 +119,7 @@ def full_darkness(core: Array, sprocket: Array) -> Array:
 
 
 def doubts(cells: Cells, tape: Found, beyond: Array, outside: Array) -> dict[str, Array]:
-    """Return where (n, 8) a place is doubtful, by why, the worst first."""
+    """Return which places (n, 8) are doubtful, by reason, the worst first."""
     hole = cells.core > 0.5
     rows = {
         UNSEEN: ~tape.seen | (cells.sprocket < 0.4) | (cells.sprocket > 1.6),

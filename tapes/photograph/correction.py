@@ -72,13 +72,13 @@ class Reading:
 
     @property
     def runs(self) -> list[tuple[int, list[tuple[int, Frame]]]]:
-        """Return the tape in runs of frames that one strip shows: its number, and the frames with theirs."""
+        """Return the tape in runs that one strip shows: the strip's number, and the numbered frames."""
         runs = groupby(self._tape, key=lambda one: one[2])
         return [(strip, [(number, frame) for number, frame, _ in run]) for strip, run in runs]
 
     @property
     def tape(self) -> bytes:
-        """Return the tape: what was seen, but what its own redundancy proposes where that is doubtful."""
+        """Return the tape as seen, with doubtful frames as its redundancy proposes."""
         return bytes(self.proposed.get(number, frame) for number, frame in enumerate(self.seen))
 
     def report(self, underside: bool) -> Iterator[str]:
@@ -144,7 +144,7 @@ def _place(strip: Strip) -> str:
 
 
 def page(read: Reading) -> str:
-    """Return the page in which it is looked at and corrected."""
+    """Return the page on which the tape is checked and corrected."""
     pictures = [
         {
             "name": picture.name,

@@ -66,7 +66,7 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
 
 
 def _mass(flat: Flat, u: Array, track: int) -> float:
-    """Return how much of the light is lost in a hole of a track, its depth times its area: blur keeps it."""
+    """Return a hole's lost light, depth times area, which blur does not change."""
     away = np.arange(-5, 6) / SAMPLES
     x, y = np.meshgrid(away, away)
     disc = np.hypot(x, y) < 0.45
@@ -101,7 +101,7 @@ def _profiles(flat: Flat, paper: _Paper, edge: float, outward: float) -> tuple[A
 
 
 def _share(flat: Flat, paper: _Paper, track: int, three: float, other: float = FIVE) -> float:
-    """Return at how many of the rows both edges are where they are on a tape, `three` wide to that side."""
+    """Return the share of rows with both edges in place, if `three` channels are on that side."""
     edges = ((track + three * THREE, np.sign(three)), (track - three * other, -np.sign(three)))
     return float(min(_profiles(flat, paper, edge, outward)[1].mean() for edge, outward in edges))
 

@@ -52,7 +52,7 @@ def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
-    """Return the sheet of a row by the slant and distance at which most is dark beside it."""
+    """Return the sheet of a row by the slant and distance with most dark places beside it."""
     length = len(row.places)
     steps = cv2.blur(np.gradient(row.places, axis=0), _AROUND, borderType=cv2.BORDER_REPLICATE)
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)
@@ -124,7 +124,7 @@ def find_holes(flat: Flat, sheet: Sheet, tracks: range) -> tuple[Points, Array]:
 
 
 def _strays(flat: Flat, sheet: Sheet, spots: Array, limit: float) -> Array:
-    """Return for each row how far from its place a spot near it is, if it is at no place of a hole at all."""
+    """Return for each row how far a nearby spot is from every hole's place."""
     y, x = np.nonzero((spots > limit) & (spots >= cv2.dilate(spots, np.ones((7, 7), np.uint8))))
     u, v = x / SAMPLES - BEYOND, y / SAMPLES - flat.reach
     off = np.maximum(abs(u - np.rint(u)), abs(v - np.rint(v)))

@@ -45,15 +45,13 @@ def shown(picture: bytes) -> bytes:
 
 
 def between(picture: Array, x: Array, y: Array, how: int = cv2.INTER_LINEAR) -> Array:
-    """Return the light at places between pixels, `x` and `y`, by OpenCV's method `how`; beyond the edge, the
-    edge's.
-    """
+    """The light at places between pixels, `x` and `y`, by OpenCV's method `how`; beyond, the edge's."""
     places = x.astype(np.float32), y.astype(np.float32)
     return np.asarray(cv2.remap(picture, *places, how, borderMode=cv2.BORDER_REPLICATE))
 
 
 def vertex(before: Array, top: Array, after: Array) -> Array:
-    """Return how far from the middle of three places the top of a parabola through them is, half at most."""
+    """Return the vertex of a parabola through three values, at most .5 from the middle."""
     curvature = np.minimum(before - 2 * top + after, -1e-9)
     return np.asarray(0.5 * (before - after) / curvature).clip(-0.5, 0.5)
 

@@ -60,7 +60,7 @@ class Frame(NamedTuple):
 
     @property
     def doubtful(self) -> bool:
-        """Whether the frame wants to be looked at."""
+        """Whether the frame needs a check."""
         return self.open != 0
 
     @property
@@ -93,14 +93,12 @@ class Strip(NamedTuple):
     """False for a row too short to be called a tape."""
 
     def turned(self) -> "Strip":
-        """Return it as it is if it was photographed from below."""
+        """Return the strip as seen from above, if it was photographed from below."""
         return self._replace(frames=self.frames[::-1], off=self.off[::-1])
 
 
 def read(picture: bytes, underside: bool = False) -> list[Frame]:
-    """Return the frames of each readable strip. Raises TapeError where no strip can be read, and as `strips`
-    does.
-    """
+    """Return the frames of each readable strip. Raises TapeError if there is none, and as `strips`."""
     found = strips(picture, underside)
     if all(strip.why for strip in found):
         raise TapeError(found[0].why)
@@ -186,7 +184,7 @@ def _strips(light: Array) -> tuple[list[Strip], list[Strip], str]:
 
 
 def _unread(refused: list[tuple[sprockets.Row, str]], sheets: list[Sheet]) -> list[Strip]:
-    """Return the rows that are on no strip, of those near to each other the one of most holes."""
+    """Return rows that are on no strip; of neighbours only the one with most holes."""
     rows: list[tuple[sprockets.Row, Strip]] = []
     for row, why in sorted(refused, key=lambda one: -int(one[0].seen.sum())):
         beside = any(_distance(row, other) < _NEAR for other, _ in rows)
@@ -240,7 +238,7 @@ def _strip(pictures: sprockets.Sizes, tape: Found) -> Strip:
 
 
 def _leaves(sheet: Sheet, pictures: sprockets.Sizes, on_paper: Array) -> tuple[bool, bool]:
-    """Return whether the picture has no room for another row before the first one, and after the last."""
+    """Return whether the tape may continue beyond the picture, before the first row and after the last."""
     rows = np.nonzero(on_paper)[0]
     beyond = sheet.place(np.array([[rows[0] - 1.25], [rows[-1] + 1.25]]), np.array([-THREE, 0, FIVE]))
     before, after = (not pictures.show(places).all() for places in beyond)

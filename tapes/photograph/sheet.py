@@ -23,7 +23,7 @@ _KNOTS = 6
 
 
 class Spline(NamedTuple):
-    """Cubic B-splines along a tape of `length` rows, one some `knots` rows."""
+    """Cubic B-splines along a tape of `length` rows, with knots every `knots` rows."""
 
     length: int
     pieces: int
@@ -98,7 +98,7 @@ class Points(NamedTuple):
     weight: Array
 
     def and_(self, *others: "Points") -> "Points":
-        """Return all of them."""
+        """Return both sets of points as one."""
         return Points(*(np.concatenate(parts) for parts in zip(self, *others, strict=True)))
 
 
@@ -136,7 +136,7 @@ def fit(length: int, points: Points, first: Sheet | None = None, knots: int = KN
 
 
 def _blocks(bends: list[tuple[float, Spline]], counts: list[int]) -> Array:
-    """Return rows that hold each block of coefficients stiff."""
+    """Return rows that make each block of coefficients stiff."""
     rows = []
     for number, (stiffness, spline) in enumerate(bends):
         row = np.zeros((spline.pieces + 1, sum(counts)))

@@ -36,7 +36,7 @@ _SAMPLES = 10
 
 
 class Row(NamedTuple):
-    """Holes in a row: places (n, 2) in pixels, and which were seen; the others were put in between."""
+    """A row of holes: places (n, 2) in pixels, and which were seen; the others are interpolated."""
 
     places: Array
     seen: Array
@@ -48,7 +48,7 @@ class Sizes(NamedTuple):
     pictures: list[Array]
 
     def for_step(self, step: float) -> tuple[Array, float]:
-        """Return the picture in which `step` pixels of the first are some 11, and its scale."""
+        """Return the picture in which a step of `step` pixels becomes about 11, and its scale."""
         at = int(np.clip(np.floor(np.log(step / 9) / np.log(_STEP)), 0, len(self.pictures) - 1))
         return self.pictures[at], self.pictures[at].shape[1] / self.pictures[0].shape[1]
 
@@ -141,7 +141,7 @@ def measured_all(pictures: Sizes, places: Array) -> tuple[Array, Array]:
 
 
 def _onward(pictures: Sizes, chain: Array, depth: float) -> list[tuple[Array, bool]]:
-    """Follow the holes beyond the chain's last, as far as no gap is too long."""
+    """Follow the holes past the chain's end until a gap is too long."""
     known = sure = list(enumerate(chain))
     found: list[tuple[Array, bool]] = []
     waiting: list[tuple[Array, bool]] = []

@@ -2,7 +2,7 @@
 
 What `make mutants` makes by rule, a statement dropped or a number changed, is not told here once more.
 
-catalogue  reads the faults: a file of them a room, *.toml
+catalogue  reads the faults: a file of them a package, *.toml
 workshop   a copy of the sources, a fault in it, its tests run
 __main__   the table
 """

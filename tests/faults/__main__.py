@@ -1,6 +1,6 @@
 """Put every fault of the catalogue into a copy of the sources and run its tests; print the table.
 
-    python -m tests.faults [-j JOBS] [NAME...]     those alone whose room or name has NAME in it
+    python -m tests.faults [-j JOBS] [NAME...]     only those whose package or name has NAME in it
 
 Exit status 1 if a fault is not caught, if it does not fit any more, or if the tests fail without one.
 """
@@ -20,7 +20,7 @@ def main(names: list[str], jobs: int) -> int:
     faults = [
         fault
         for fault in catalogue()
-        if not names or any(name in f"{fault.room} {fault.name}" for name in names)
+        if not names or any(name in f"{fault.package} {fault.name}" for name in names)
     ]
     if failure := first_failure(sorted({test for fault in faults for test in fault.tests})):
         print(f"without a fault: {failure} fails")
@@ -39,13 +39,13 @@ def _caught(fault: Fault) -> bool:
     except ValueError as error:
         verdict = f"does not fit: {error}"
     caught = verdict.startswith("caught")
-    print(f"{' ' if caught else '!'} {fault.room:10} {fault.name:56} {verdict}", flush=True)
+    print(f"{' ' if caught else '!'} {fault.package:10} {fault.name:56} {verdict}", flush=True)
     return caught
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Put faults into a copy of the sources and run the tests.")
-    parser.add_argument("names", nargs="*", help="only faults whose room or name has one of these in it")
+    parser.add_argument("names", nargs="*", help="only faults whose package or name has one of these in it")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
     arguments = parser.parse_args()
     sys.exit(main(arguments.names, arguments.jobs))

@@ -21,7 +21,7 @@ FOLDER = Path(__file__).parent
 class Fault(NamedTuple):
     """One fault: `old` replaced by `new` in `file`; which tests catch it."""
 
-    room: str
+    package: str
     name: str
     file: str
     old: str

@@ -1,9 +1,9 @@
-"""Try mutants room by room; print the survivors and the table of scores.
+"""Try mutants package by package; print the survivors and the table of scores.
 
     python -m tests.mutation nc tapes [--sample 300] [--seed 0] [--since REF] [-j JOBS]
 
 The score is the part of the mutants that a test catches, of those that change something: equal.toml names
-those that do not, each with its reason. Exit status 1 where a room is below its floor.
+those that do not, each with its reason. Exit status 1 where a package is below its floor.
 """
 
 import argparse
@@ -16,27 +16,27 @@ from collections import Counter
 from pathlib import Path
 
 from tests.mutation.mutants import mutants
-from tests.mutation.rooms import HOUSE, ROOMS, equal, sources
+from tests.mutation.packages import PACKAGES, ROOT, equal, sources
 from tests.mutation.runner import tried
 
-FLOORS = dict.fromkeys(ROOMS, 0.95) | {"photographs": 0.85}
+FLOORS = dict.fromkeys(PACKAGES, 0.95) | {"photographs": 0.85}
 """No picture shows a limit that is one sample further off."""
 
 
 def main(arguments: argparse.Namespace) -> int:
-    """Try the rooms; return the exit status."""
+    """Try the packages; return the exit status."""
     changed = _changed(arguments.since) if arguments.since else None
     table = []
-    for room in arguments.rooms or ROOMS:
-        found = _room(room, arguments, changed)
+    for package in arguments.packages or PACKAGES:
+        found = _package(package, arguments, changed)
         if found["tried"]:
-            table.append((room, found))
-    print("\n| room | mutants | tried | caught | survive | not run | change nothing | score |")
+            table.append((package, found))
+    print("\n| package | mutants | tried | caught | survive | not run | change nothing | score |")
     print("|---|--:|--:|--:|--:|--:|--:|--:|")
-    for room, found in table:
+    for package, found in table:
         numbers = (found[verdict] for verdict in ("there", "tried", "caught", "survived", "not run", "equal"))
-        print(f"| {room} | {' | '.join(map(str, numbers))} | {_score(found):.1%} |")
-    return int(any(_score(found) < FLOORS[room] for room, found in table))
+        print(f"| {package} | {' | '.join(map(str, numbers))} | {_score(found):.1%} |")
+    return int(any(_score(found) < FLOORS[package] for package, found in table))
 
 
 def _score(found: Counter[str]) -> float:
@@ -45,12 +45,14 @@ def _score(found: Counter[str]) -> float:
     return found["caught"] / counted if counted else 1.0
 
 
-def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]] | None) -> Counter[str]:
-    """Try the mutants of a room and print those that no test catches; return the number of each verdict."""
+def _package(
+    package: str, arguments: argparse.Namespace, changed: dict[str, set[int]] | None
+) -> Counter[str]:
+    """Try the mutants of a package, print those that no test catches, and count the verdicts."""
     there = [
         (file, mutant)
-        for file in sources(room)
-        for mutant in mutants((HOUSE / file).read_text())
+        for file in sources(package)
+        for mutant in mutants((ROOT / file).read_text())
         if changed is None or not changed.get(file, set()).isdisjoint(mutant.lines)
     ]
     picked = there
@@ -61,7 +63,7 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
     chosen = [(file, mutant) for file, mutant in picked if (file, mutant.scope, mutant.text) not in same]
     found = Counter(there=len(there), tried=len(picked), equal=len(picked) - len(chosen))
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as folder:
-        for file, mutant, verdict in tried(room, chosen, arguments.jobs, Path(folder)):
+        for file, mutant, verdict in tried(package, chosen, arguments.jobs, Path(folder)):
             found[verdict] += 1
             if verdict != "caught":
                 place = f"{file}:{mutant.lines[-1]} {mutant.scope or '(module)'}"
@@ -72,7 +74,7 @@ def _room(room: str, arguments: argparse.Namespace, changed: dict[str, set[int]]
 def _changed(since: str) -> dict[str, set[int]]:
     """Return the lines of each file that differ from a commit."""
     shown = subprocess.run(
-        ["git", "diff", "-U0", since, "--", "*.py"], cwd=HOUSE, capture_output=True, text=True, check=True
+        ["git", "diff", "-U0", since, "--", "*.py"], cwd=ROOT, capture_output=True, text=True, check=True
     ).stdout
     found: dict[str, set[int]] = {}
     file = ""
@@ -87,14 +89,14 @@ def _changed(since: str) -> dict[str, set[int]]:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Change the sources by rule and see whether a test fails.")
-    parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of {', '.join(ROOMS)} [all]")
+    parser.add_argument("packages", nargs="*", metavar="PACKAGE", help=f"of {', '.join(PACKAGES)} [all]")
     parser.add_argument(
-        "--sample", type=int, default=0, metavar="N", help="at most N mutants a room, drawn at random"
+        "--sample", type=int, default=0, metavar="N", help="at most N mutants a package, drawn at random"
     )
     parser.add_argument("--seed", type=int, default=0, help="of the drawing [0]")
     parser.add_argument("--since", metavar="REF", help="only on lines that differ from this commit")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
     found = parser.parse_args()
-    if unknown := set(found.rooms) - set(ROOMS):
-        parser.error(f"no room {', '.join(sorted(unknown))}; the rooms are {', '.join(ROOMS)}")
+    if unknown := set(found.packages) - set(PACKAGES):
+        parser.error(f"no package {', '.join(sorted(unknown))}; the packages are {', '.join(PACKAGES)}")
     sys.exit(main(found))

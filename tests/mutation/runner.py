@@ -3,9 +3,9 @@
     this process ── fork ► each file of tests once, under coverage: the lines and the seconds of each test
                  ── fork ► a mutant: the tests that run its line, the quickest first; then all others
 
-A mutant stands as the bytecode of its module in a copy of the sources in which nothing of the room is
+A mutant stands as the bytecode of its module in a copy of the sources in which nothing of the package is
 compiled: whatever a test starts has it too. It is caught when a test fails, or takes LONGER times as long as
-it did. Which lines a test runs only says which is first: a mutant survives all tests of its room.
+it did. Which lines a test runs only says which is first: a mutant survives all tests of its package.
 """
 
 import importlib
@@ -31,7 +31,7 @@ from hypothesis import HealthCheck, Phase, settings
 
 from tests.faults import workshop
 from tests.mutation.mutants import Mutant
-from tests.mutation.rooms import HOUSE, ROOMS, tests
+from tests.mutation.packages import PACKAGES, ROOT, tests
 
 LEAST, LONGER = 5.0, 4
 """Seconds of processor time that every test may take, and how often the time that it takes."""
@@ -40,7 +40,7 @@ WAITING = 10
 LONGEST = 30.0
 """The seconds of a test of which none are known."""
 
-KEPT = HOUSE / "build/mutation"
+KEPT = ROOT / "build/mutation"
 _MEMORY = 6 << 30
 _OURS = {"tapes", "pal", "pdp8", "programs", "nc", "tests", "release"}
 _PYTEST = ["-m", "not slow", "--hypothesis-profile=mutants", "-pno:cacheprovider", "-pno:xdist", "--tb=no"]
@@ -58,32 +58,32 @@ class Runs(NamedTuple):
     tests: dict[tuple[str, int], list[str]]
 
 
-def tried(room: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[tuple[str, Mutant, str]]:
+def tried(package: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[tuple[str, Mutant, str]]:
     """Yield mutants, each with its file and the verdict: caught, survived or not run (by any test seen).
 
     `folder` is for copies of the sources.
     """
-    copies = [_copy(room, folder / str(number)) for number in range(jobs if trials else 0)]
+    copies = [_copy(package, folder / str(number)) for number in range(jobs if trials else 0)]
     if not copies:
         return
-    _warm(room, copies)
-    runs = _measured(room, copies)
+    _warm(package, copies)
+    runs = _measured(package, copies)
     if runs.failed:
         print(f"left out: {' '.join(sorted(runs.failed))}"[:2000], file=sys.stderr)
     if not runs.seconds:
-        raise SystemExit(f"no test of {room} runs")
+        raise SystemExit(f"no test of {package} runs")
     for copy, (file, mutant), status in _each(trials, partial(_try, runs), copies):
         _bytecode(copy, file).unlink(missing_ok=True)
         seen = any((file, line) in runs.tests for line in mutant.lines)
         yield file, mutant, "caught" if status else "survived" if seen else "not run"
 
 
-def _copy(room: str, copy: Path) -> Path:
-    """Copy the sources to a folder; what is compiled of other rooms is compiled there."""
+def _copy(package: str, copy: Path) -> Path:
+    """Copy the sources to a folder; what is compiled of other packages is compiled there."""
     workshop.copy(copy)
-    for built in () if room == "pal" else HOUSE.glob("p*/**/*.so"):
-        path = built.relative_to(HOUSE)
-        if not path.is_relative_to(ROOMS[room][0]):
+    for built in () if package == "pal" else ROOT.glob("p*/**/*.so"):
+        path = built.relative_to(ROOT)
+        if not path.is_relative_to(PACKAGES[package][0]):
             (copy / path).symlink_to(built)
     return copy
 
@@ -135,8 +135,8 @@ def _within(copy: Path, work: Callable[[], int]) -> None:
         os._exit(status)
 
 
-def _warm(room: str, copies: list[Path]) -> None:
-    """Import what the tests of a room import that is not ours; have Hypothesis always draw the same."""
+def _warm(package: str, copies: list[Path]) -> None:
+    """Import what the tests of a package import that is not ours; have Hypothesis always draw the same."""
     found = copies[0].with_suffix(".modules")
     settings.register_profile(
         "mutants",
@@ -152,7 +152,7 @@ def _warm(room: str, copies: list[Path]) -> None:
         found.write_text("\n".join(name for name in sys.modules if name.split(".")[0] not in _OURS))
         return 0
 
-    for _ in _each([tests(room)], collect, copies):
+    for _ in _each([tests(package)], collect, copies):
         for name in found.read_text().splitlines():
             with suppress(Exception):
                 importlib.import_module(name)
@@ -172,14 +172,14 @@ def _limit(seconds: float) -> None:
 # The lines and seconds of the tests
 
 
-def _measured(room: str, copies: list[Path]) -> Runs:
-    """Return what the tests of a room run; it is kept of each file until that or any other module changes."""
+def _measured(package: str, copies: list[Path]) -> Runs:
+    """Return what the tests of a package run, kept for each file until any module changes."""
     others = sorted(path for path in copies[0].rglob("*.py") if not path.name.startswith("test_"))
     texts = sha256(b"".join(path.read_bytes() for path in others)).digest()
-    kept = {file: KEPT / sha256(texts + (HOUSE / file).read_bytes()).hexdigest() for file in tests(room)}
+    kept = {file: KEPT / sha256(texts + (ROOT / file).read_bytes()).hexdigest() for file in tests(package)}
     KEPT.mkdir(parents=True, exist_ok=True)
     new = [(file, path) for file, path in kept.items() if not path.exists()]
-    for _ in _each(new, partial(_measure, room), copies):
+    for _ in _each(new, partial(_measure, package), copies):
         pass
     runs = Runs({}, set(), defaultdict(list))
     for file, path in kept.items():
@@ -194,12 +194,12 @@ def _measured(room: str, copies: list[Path]) -> Runs:
     return runs
 
 
-def _measure(room: str, copy: Path, task: tuple[str, Path]) -> int:
+def _measure(package: str, copy: Path, task: tuple[str, Path]) -> int:
     """Run the tests of a file under coverage; keep what they run."""
     file, kept = task
     lines = copy.with_suffix(".lines")
     lines.mkdir(exist_ok=True)
-    within = f"{copy / ROOMS[room][0]}/*"
+    within = f"{copy / PACKAGES[package][0]}/*"
     measured = coverage.Coverage(
         str(lines / "one"), data_suffix=True, config_file=False, include=[within], messages=False
     )

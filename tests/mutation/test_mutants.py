@@ -3,7 +3,7 @@
 from textwrap import dedent
 
 from tests.mutation.mutants import mutants
-from tests.mutation.rooms import HOUSE, equal
+from tests.mutation.packages import ROOT, equal
 
 SOURCE = '''
     """A docstring."""
@@ -40,5 +40,5 @@ def test_each_change_is_made_once() -> None:
 
 def test_what_changes_nothing_is_still_there() -> None:
     for file in {file for file, _, _ in equal()}:
-        here = {(file, mutant.scope, mutant.text) for mutant in mutants((HOUSE / file).read_text())}
+        here = {(file, mutant.scope, mutant.text) for mutant in mutants((ROOT / file).read_text())}
         assert {entry for entry in equal() if entry[0] == file} <= here

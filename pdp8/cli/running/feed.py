@@ -56,13 +56,11 @@ class Feed:
 
     @property
     def left(self) -> str:
-        """The names of the tapes that did not go in."""
+        """The tapes that were never put in."""
         return ", ".join(map(called, self._names))
 
     def look(self, now: int, halted: bool) -> None:
-        """Say once that a tape's first frame came in unused: START sets READER RUN before a program clears
-        it.
-        """
+        """Say once that the first frame came in unused: START sets READER RUN before a program clears it."""
         reader, receiver = self._reader, self._reader.device
         if self._looked or reader.position != 1 or not isinstance(receiver, Receiver):
             return
@@ -85,7 +83,7 @@ class Feed:
         return True
 
     def _more(self) -> bytes:
-        """Return the next frames of the pipe, as soon as there are some; none at its end."""
+        """Return the pipe's next frames when there are some, none at its end."""
         try:
             while not select.select([self._file], [], [], 0)[0]:
                 if self.idle():
@@ -103,13 +101,13 @@ class Feed:
             return b""
 
     def _warn(self, tape: bytes) -> None:
-        """Say where a tape will not do what its owner expects."""
+        """Warn about what the tape's owner may not expect."""
         if not self._quiet and (doubt := codes.recognise(tape).doubt(tape)):
             command.say(f"{called(self._name)} {doubt}")
 
 
 def say_unread() -> None:
-    """Say that frames on standard input were not read, as a restored machine has its own tape, if so."""
+    """Say that standard input was not read because the restored machine has its own tape."""
     if _unread():
         command.say(
             "standard input was not read: a restored machine goes on with the tape in its reader; "

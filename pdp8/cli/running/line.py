@@ -68,7 +68,7 @@ class Line:
 
 
 class Tcp(Line):
-    """A line on a TCP port, for telnet: one client at a time. What is sent while nobody is there waits."""
+    """A TCP port for one telnet client at a time; frames wait while nobody is connected."""
 
     def __init__(self, address: str, bits: int, full_speed: bool) -> None:
         super().__init__(bits, full_speed)
@@ -121,7 +121,7 @@ class Tcp(Line):
                 del self._waiting[: self._client.send(self._waiting)]
 
     def _without_options(self, frames: bytes) -> bytes:
-        """Return what stands between the options of telnet; one that is not whole yet waits."""
+        """Return the data without telnet's options; an incomplete option waits."""
         rest, found = self._telnet + frames, bytearray()
         while rest:
             option = _OPTION.match(rest)
@@ -192,13 +192,13 @@ class Serial(Line):
         self._gone = True
 
     def send(self, frame: int) -> None:
-        """Send one frame; a line that takes none for a second has lost it."""
+        """Send one frame; it is lost if the line takes none for a second."""
         with suppress(OSError):
             if select.select([], [self._file], [], 1.0)[1]:
                 os.write(self._file, bytes([frame]))
 
     def reader_run(self, on: bool) -> None:
-        """Let RTS follow READER RUN, as far as the line has such a signal."""
+        """Set RTS to READER RUN, if the line has that signal."""
         if not self._modem:
             return
         try:

@@ -12,7 +12,7 @@ from pdp8.computer.hardware.teletype import Punch, printed
 
 
 class Output:
-    """The tape of one punch on its way into file `name`, or to standard output without one."""
+    """The tape of one punch on its way into file `name` or to standard output."""
 
     def __init__(self, punch: Punch, name: str | None) -> None:
         self._punch = punch
@@ -30,7 +30,7 @@ class Output:
                 self._stream.close()
 
     def tell(self) -> None:
-        """Say which file was written, if it is one and took every frame."""
+        """Name the file that was written, if every frame is in it."""
         if self._stream is not sys.stdout.buffer and not self._gone:
             command.tell_written(self._name, self._replaced)
 

@@ -135,7 +135,7 @@ def _slices(
 
 
 class _Silence:
-    """Says once, at a terminal, where a run is that reads and punches nothing for long, and how to end it."""
+    """Says once, at a terminal, where a run is that reads and punches nothing, and how to end it."""
 
     def __init__(self, machine: Machine, feed: Feed, wanted: bool) -> None:
         self._machine = machine

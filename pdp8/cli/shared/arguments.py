@@ -48,7 +48,7 @@ class Source(_Type):
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list["CompletionItem"]:
-        """Complete the files of the folder and bundled names; files alone as the shell itself does."""
+        """Complete with the folder's files and bundled names, or leave it to the shell."""
         names = [name for name in (*shelf.bundled(), *self._more()) if name.startswith(incomplete)]
         if os.path.dirname(incomplete) or not names:
             return _completed([incomplete], "file")
@@ -66,7 +66,7 @@ class Target(_Type):
         self._makes = makes
 
     def check(self, name: str) -> None:
-        """Raise a UsageError where a file called `name` is there, and of a kind that this one never is."""
+        """Raise a UsageError if file `name` exists and is not of this kind."""
         try:
             shelf.check_kind(name, self._makes)
         except shelf.ShelfError as error:
@@ -105,7 +105,7 @@ def output(
 
 
 class Command(click.Command):
-    """A command whose options are held to their rules, and whose files are compared, before it begins."""
+    """A command that checks its options' rules and compares its files before it begins."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters, with --no-clobber before --help where something is written."""
@@ -174,7 +174,7 @@ def _named(command: click.Command, ctx: click.Context) -> Iterator[tuple[click.P
 
 
 class Group(click.Group):
-    """A group of commands: its list has whole lines, and a name that is nearly one of them finds it."""
+    """A group of commands that lists whole lines and suggests similar names."""
 
     command_class = Command
 

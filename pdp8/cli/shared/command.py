@@ -76,12 +76,12 @@ def tell(message: str, styled: bool = False) -> None:
 
 
 def say(message: str) -> None:
-    """Say on standard error how the work goes, after the name of the command."""
+    """Write a progress message, with the command's name, on standard error."""
     tell(f"{click.get_current_context().command_path}: {message}")
 
 
 def say_of(file: str, notes: Iterable[str]) -> None:
-    """Say what there is to say of a file that was read, a line a note."""
+    """Write notes about a file that was read, a line each."""
     for note in notes:
         say(f"{called(file)}: {note}")
 
@@ -95,7 +95,7 @@ def echo(text: str, nl: bool = True) -> None:
 
 
 def keep(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
-    """Take --no-clobber: no file is replaced."""
+    """Take the option --no-clobber."""
     ctx.meta[_NO_CLOBBER] = wanted
 
 
@@ -151,7 +151,7 @@ def tell_written(name: str, replaced: bool) -> None:
 
 
 def _take_any_character() -> None:
-    """Let standard output and error show a question mark for a character that their encoding lacks."""
+    """Replace characters that the output's encoding lacks by question marks."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper) and stream.errors == "strict":
             stream.reconfigure(errors="replace")
@@ -175,7 +175,7 @@ def conversation() -> Iterator[tuple[BinaryIO, BinaryIO]]:
 
 
 def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
-    """Run `command` as program `name`; say what is wrong with it, and return its exit status."""
+    """Run `command` as program `name`, print its error if any, and return the exit status."""
     stdout = sys.stdout
     try:
         with shelf.watched():
@@ -236,7 +236,7 @@ def _complain(message: str, status: int) -> int:
 
 
 def _write_or_drop(stream: TextIO) -> None:
-    """Write what the stream still holds, or drop it: Python's own flush at exit would complain once more."""
+    """Flush the stream or discard its rest, so that Python's own flush does not fail again."""
     try:
         stream.flush()
     except OSError:

@@ -48,7 +48,7 @@ class Bar:
 
 
 class Busy:
-    """A bar that only moves, for `wanted` work without steps."""
+    """A moving bar for `wanted` work of unknown length."""
 
     def __init__(self, label: str, wanted: bool) -> None:
         self._label = label

@@ -29,7 +29,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 class Option(click.Option):
-    """An option with what it needs and excludes, and what alone it goes with."""
+    """An option with the options that it needs, excludes, or may only be combined with."""
 
     def __init__(
         self,
@@ -73,7 +73,7 @@ def declared(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def check(ctx: click.Context) -> None:
-    """Raise a UsageError for an option that was given and that its declaration forbids in this call."""
+    """Raise a UsageError for a given option that its declaration forbids in this call."""
     params = ctx.command.get_params(ctx)
     known = {word: param for param in params for word in words(param)}
     given = [param for param in params if is_given(ctx, param)]
@@ -110,13 +110,13 @@ def words(param: click.Parameter) -> list[str]:
 
 
 def is_given(ctx: click.Context, param: click.Parameter) -> bool:
-    """Tell whether a parameter stands on the command line."""
+    """Tell whether a parameter was given on the command line."""
     source = ctx.get_parameter_source(param.name or "")
     return source is ParameterSource.COMMANDLINE and ctx.params.get(param.name or "", True) != ()
 
 
 def named(param: click.Parameter) -> Iterator[str]:
-    """Yield each word that a parameter's declaration names, without its value."""
+    """Yield the options that a declaration names, without their values."""
     for rule in ("needs", "excludes", "only"):
         for word in (getattr(param, rule, None) or "").split():
             yield word.partition("=")[0]

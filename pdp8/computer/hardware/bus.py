@@ -28,7 +28,7 @@ from pdp8.computer.hardware.signals import CLEAR_AC, IOP1, IOP2, IOP4, NEVER, SK
 
 
 class Peripheral(Protocol):
-    """What a machine is fitted with: one device, or several that belong together."""
+    """One device or several that belong together, to fit to a machine."""
 
     NAME: str
     """What commands call it."""
@@ -83,7 +83,7 @@ class Device:
         raise NotImplementedError
 
     def look(self) -> None:
-        """Note that a tape, a key or a lever has changed; the device acts on it as soon as time goes on."""
+        """Note that a tape, key or lever has changed; the device acts when time goes on."""
 
     def finish(self) -> None:
         """Finish what the mechanism has begun, as the processor stands still; the flag keeps its time."""
@@ -135,7 +135,7 @@ class BreakDevice(Device):
 
 
 class Bus:
-    """The devices that are fitted, one behind the other on the cable; unused codes answer nothing."""
+    """The devices on the cable, one behind the other; unused codes do not answer."""
 
     fields = saved(actions=COUNT)
 

@@ -9,7 +9,7 @@ WORD = 0o7777
 
 
 def allowed(value: int, what: str, most: int = WORD) -> int:
-    """Return `value`, set by a hand. Raises ValueError, with `what` it is, unless it is from 0 to `most`."""
+    """Return `value`. Raises ValueError, naming `what`, unless it is from 0 to `most`."""
     if not isinstance(value, int):
         raise ValueError(f"{what} {value!r} is not a number")
     if not 0 <= value <= most:
@@ -63,7 +63,7 @@ class Core:
 
 
 def _addresses(core: Core, part: slice) -> range:
-    """Return the addresses of a slice, whose bounds are addresses or that after the last."""
+    """Return the addresses of a slice; its end may be one past the last address."""
     for bound in (part.start, part.stop):
         if bound is not None and not 0 <= bound <= len(core):
             raise IndexError(f"core has addresses 0000 to {len(core) - 1:o}, not {bound:o}")

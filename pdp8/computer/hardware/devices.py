@@ -10,7 +10,7 @@ from pdp8.computer.hardware.teletype import Teletype
 
 
 def one_of_each() -> list[Peripheral]:
-    """Return a device of every kind, for a machine with all of them."""
+    """Return one device of every type, for a machine that has them all."""
     return [
         Teletype(),
         HighSpeed(),

@@ -32,13 +32,13 @@ _VALUE = 100
 
 
 class Part(Protocol):
-    """Whatever has fields."""
+    """An object with fields."""
 
     fields: Mapping[str, int | str]
 
 
 class Medium(Protocol):
-    """What is on a reel or a disk as it was mounted; it does not change."""
+    """The content of a reel or disk when it was mounted; it does not change."""
 
     @property
     def digest(self) -> str:
@@ -46,7 +46,7 @@ class Medium(Protocol):
 
 
 def saved(**fields: int | str) -> Mapping[str, int | str]:
-    """Return the fields of a class."""
+    """Return the declaration of a class's fields."""
     return fields
 
 
@@ -60,7 +60,7 @@ def walk(roots: Iterable[tuple[str, Part]]) -> Iterator[tuple[str, Part]]:
 
 
 def all_fields(roots: Iterable[tuple[str, Part]]) -> list[Field]:
-    """Return the fields of all parts but those that are parts."""
+    """Return all fields that are not parts themselves."""
     return [
         (f"{path} {name}", part, name, kind)
         for path, part in walk(roots)
@@ -98,7 +98,7 @@ def put(fields: Iterable[Field], values: Mapping[str, Any]) -> None:
 
 
 def changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Values:
-    """Return the values of `now` that were others `before`."""
+    """Return the values of `now` that differ from `before`."""
     return {name: value for name, value in now.items() if before.get(name) != value}
 
 

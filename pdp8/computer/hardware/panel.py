@@ -72,7 +72,7 @@ def shares(samples: Sequence[Lamps]) -> dict[str, tuple[float, ...]]:
 
 
 class Panel:
-    """The keys and switches of one processor; `run` lets the machine around it run until it stops."""
+    """The keys and switches of a processor; `run` runs the machine until it stops."""
 
     def __init__(self, processor: Processor, run: Callable[[], object]) -> None:
         self.processor = processor
@@ -161,7 +161,7 @@ class Panel:
         self.load_address(self.processor.extension.inst_switch | self.processor.sr)
 
     def load_address(self, address: int) -> None:
-        """Do what LOAD ADD does with `address` in the switches, its field in INST FIELD."""
+        """Load PC and MA with `address`, as LOAD ADD does, and its field with INST FIELD."""
         p = self.processor
         allowed(address, "the address", p.extension.size - 1)
         if not p.run:

@@ -212,7 +212,7 @@ class Receiver(Device):
         self.plan()
 
     def plan(self) -> None:
-        """Set `step` to the next thing that happens here, and `due` to the next that changes the flag."""
+        """Set `step` to the next event here and `due` to the next that changes the flag."""
         self.edge = NEVER
         if self.active:
             ninth = self.tick(self.pulses + NINTH_SHIFT)
@@ -241,7 +241,7 @@ class Receiver(Device):
         return self.origin + eighths(pulse)
 
     def beaten(self, pulse: int, now: int) -> bool:
-        """Tell whether a pulse of the clock is not after tick `now`."""
+        """Tell whether a pulse of the clock has come by tick `now`."""
         return EIGHTH * pulse <= PARTS * (now - self.origin)
 
     def pulse_after(self, now: int) -> int:
@@ -262,7 +262,7 @@ class Receiver(Device):
         return -1
 
     def units(self, pulse: int) -> int:
-        """Return the units of the line, the one just before a pulse lowest; after the last there is mark."""
+        """Return the line's units as bits, the one before a pulse lowest; mark follows the last."""
         since = PARTS * (self.origin - self.start) + EIGHTH * pulse
         return (self.line | _MARKS) >> min(max(since - 1, 0) // (2 * HALF_UNIT), 11)
 
@@ -287,7 +287,7 @@ class Receiver(Device):
             self.sample(now)
 
     def begin(self) -> None:
-        """Begin the start unit of the next character; a clock that no character counts by is set by it."""
+        """Begin the next character's start unit; the clock restarts if no character is being received."""
         if self.keyboard.waiting:
             self.line = self.keyboard.waiting.pop(0)
         else:
@@ -314,7 +314,7 @@ class Receiver(Device):
         self.shift((PARTS * (now - self.origin) // EIGHTH - first + UNIT) // UNIT)
 
     def shift(self, shifts: int) -> None:
-        """Shift in what the line shows until there were so many shifts since PRESET, 9 at most."""
+        """Shift in the line's units until there were `count` shifts since PRESET, 9 at most."""
         count = shifts - self.shifts
         if self.active and count > 0:
             first = self.pulses + FIRST_SHIFT
@@ -474,7 +474,7 @@ class Transmitter(Device):
             self.due = tick_of(self.start + 2 * HALF_UNIT * (max(self.sent, 1) - 1 + self.units_to_send()))
 
     def units_to_send(self) -> int:
-        """Return how many units are still to be sent, the end marker too."""
+        """Return how many units are still to be sent, including the end marker."""
         units = 1
         while self.register >> units:
             units += 1
@@ -564,7 +564,7 @@ class Transmitter(Device):
         return 0
 
     def load(self, character: int, now: int) -> None:
-        """Or `character` and an end marker into the shift register; if that was empty begin a start unit."""
+        """OR `character` and an end marker into the shift register and begin a start unit if it was empty."""
         if self.register == 0:
             self.start = max(self.free, PARTS * now)
             self.sent = 0

@@ -38,7 +38,7 @@ _MARK = 200
 
 
 class HistoryError(WorkError):
-    """A moment that is not in the history."""
+    """A moment before the recorded history."""
 
 
 class _Mark(NamedTuple):
@@ -89,7 +89,7 @@ class History:
         return (self.machine.processor.clock - self._marks[0].clock) / TICKS_PER_SECOND
 
     def begins(self) -> None:
-        """Note what was set since the last run, because a run begins."""
+        """Record what was changed since the last run."""
         now = self._values()
         self._note(now)
         apart = self.machine.processor.clock - self._newest
@@ -98,7 +98,7 @@ class History:
         self._began, self._stands = now, self._moment()
 
     def together(self, work: Callable[[], str]) -> str:
-        """Let `work` do many runs that are kept as one; return why the last ended."""
+        """Keep the runs of `work` as one; return why the last ended."""
         self.begins()
         self.machine.recorder = None
         reason: str = Reason.LIMIT
@@ -129,7 +129,7 @@ class History:
             self._add(others)
 
     def _jump(self, values: Values) -> None:
-        """Note values to which no run leads; one leads as far as the machine stood."""
+        """Record values that no run leads to."""
         if not values:
             return
         last = self._marks[-1]
@@ -235,7 +235,7 @@ class History:
             pass
 
     def ahead(self, clock: int) -> Iterator[int]:
-        """Yield the ticks to run to, one after another, as far as `clock`: there the changes are made."""
+        """Yield the ticks at which recorded changes are made, up to `clock`."""
         while self._next < len(self._marks) and self._marks[self._next].clock <= clock:
             mark = self._marks[self._next]
             if not mark.jump:

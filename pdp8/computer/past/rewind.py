@@ -174,7 +174,7 @@ def _check(count: float, most: float, what: str) -> None:
 
 
 def _before(history: History, counted: Callable[[Machine], int], count: int, what: str) -> None:
-    """Go to the last moment at which there were fewer of what is counted than all but `count`, and one."""
+    """Go to the last moment at which the count was `count` lower than now."""
     machine = history.machine
     _check(count, counted(machine), what)
     if count == 0:
@@ -199,7 +199,7 @@ def _before(history: History, counted: Callable[[Machine], int], count: int, wha
 
 @contextmanager
 def looking_back(history: History) -> Iterator[None]:
-    """Let the machine go back and run on; afterwards it stands as it stood."""
+    """Let the machine go back and run on inside; restore it afterwards."""
     machine = history.machine
     now = machine.values()
     with history.going_back():

@@ -61,7 +61,7 @@ def save(machine: Machine) -> str:
 
 
 def _written(kind: int | str, value: Any, core: "array[int]") -> object:
-    """Return a value as JSON has it; a copy of core by the rows in which it is not as `core`."""
+    """Return a value for JSON; a copy of core only by the rows that differ from `core`."""
     if kind == TICK:
         return _NEVER if value == NEVER else value
     if kind == MEDIUM:
@@ -79,7 +79,7 @@ def _words(content: bytes) -> "array[int]":
 
 
 def _rows(words: "array[int]", usual: "array[int]") -> dict[str, str]:
-    """Return rows of words, {address: words}, but for those that are as `usual`."""
+    """Return {address: words} of the rows that differ from `usual`."""
     return {
         f"{address:04o}": " ".join(f"{word:04o}" for word in words[address : address + _ROW])
         for address in range(0, len(words), _ROW)
@@ -139,7 +139,7 @@ def restore(
 def _fitted(
     saved: Mapping[str, Any], fitted: Iterable[Peripheral], known: Iterable[Peripheral]
 ) -> list[Peripheral]:
-    """Return the devices of a machine with `fitted`, and with those known of what was `saved`."""
+    """Return the devices for a machine: `fitted`, and known ones that `saved` names."""
     by_code = {device.CODE: device for device in fitted}
     found: list[Peripheral] = []
     for each in known:
@@ -263,7 +263,7 @@ def _copy(value: object, place: str, core: "array[int]") -> "array[int]":
 
 
 def _check(machine: Machine) -> None:
-    """Raise StateError for fields that contradict each other."""
+    """Raise StateError for contradictory fields."""
     for _, part in walk(machine.parts()):
         if isinstance(part, Reader) and part.position > len(part.tape):
             raise StateError(f"the reader stands at frame {part.position} of a tape of {len(part.tape)}")

@@ -128,14 +128,14 @@ class Engine:
         return self._run_pieces(until, last)
 
     def _called(self) -> bool:
-        """Tell whether the processor's last instruction was a JMS to a breakpoint."""
+        """Tell whether the last instruction was a JMS to a breakpoint."""
         p = self.processor
         return (
             p.run == 1 and p.ir == JMS and p.state == EXECUTE and p.extension.field | p.ma in self.breakpoints
         )
 
     def _prepare(self, breakpoints: Set[int]) -> None:
-        """Clear the decoded forms if MEM PROT or the breakpoints are others than in the last run."""
+        """Clear the decoded words if MEM PROT or breakpoints have changed since the last run."""
         wall = _wall(self.processor.mem_prot)
         if wall == self.wall and breakpoints == self.breakpoints:
             return
@@ -195,14 +195,14 @@ class Engine:
         return _DIRECT[code]
 
     def _may_delay(self, counter: int, address: int) -> bool:
-        """Tell whether ISZ at `address` is that of a delay loop: JMP .-1 follows, and it counts neither."""
+        """Whether ISZ at `address` is a delay loop: JMP .-1 follows, and it counts neither word."""
         if address == 0o7777 or counter in (address, address + 1):
             return False
         behind = self.core[self.processor.extension.inst_field | address + 1]
         return jumps_to(address, behind, address + 1)
 
     def _may_lead_to_one(self, word: int, operand: int, address: int) -> bool:
-        """Tell whether a breakpoint may follow the instruction: the lamps must be right there."""
+        """Whether the next instruction may be at a breakpoint, where the lamps must be exact."""
         after = [address + 1 & 0o7777, address + 2 & 0o7777]
         if word >> 9 in (JMS, JMP):
             if word & INDIRECT:
@@ -229,7 +229,7 @@ class Engine:
         return False
 
     def _at_breakpoint(self) -> bool:
-        """Tell whether a breakpoint is come to; after a data break the run goes on with its instruction."""
+        """Whether the run has reached a breakpoint; after a data break its instruction is finished first."""
         p = self.processor
         return p.state != BREAK and p.extension.inst_field | p.pc in self.breakpoints
 
@@ -281,7 +281,7 @@ def _group1(bits: int) -> int:
 
 
 def _group2(word: int) -> tuple[int, int]:
-    """Return operand and operation: group 3 does nothing, OSR and HLT are left."""
+    """Return operand and operation; group 3 does nothing, OSR and HLT are not decoded."""
     if word & 1:
         return 0, GROUP_1
     if word & 6:

@@ -32,7 +32,7 @@ _FORGOTTEN = -1
 
 
 class Left:
-    """The registers as a run left them that ended with its limit; unless one is set, a loop goes on."""
+    """The registers after a run that reached its limit; a loop goes on if they are unchanged."""
 
     fields = saved(
         **dict.fromkeys(("pc", "sr"), "7777"),
@@ -48,13 +48,13 @@ class Left:
         self.clock = _FORGOTTEN
 
     def note(self, processor: Processor) -> None:
-        """Note the registers as they are."""
+        """Remember the registers."""
         for name in self.fields:
             setattr(self, name, getattr(processor, name))
         processor.extension.left = processor.extension.registers()
 
     def forget(self) -> None:
-        """Note nothing: the run ended by itself."""
+        """Remember nothing: the run ended by itself."""
         self.clock = _FORGOTTEN
 
     def holds(self, processor: Processor) -> bool:
@@ -64,9 +64,7 @@ class Left:
 
 
 class Waiting:
-    """Skips waits of a running processor: call `look` after each instruction, or each piece up to
-    `next_look`.
-    """
+    """Skips a processor's waits: call `look` after each instruction, or each piece up to `next_look`."""
 
     fields = saved(
         **dict.fromkeys(("stepping", "mem_prot", "ion"), BIT),
@@ -117,7 +115,7 @@ class Waiting:
         p.bus.forget_tests()
 
     def forget(self) -> None:
-        """Remember nothing: the machine was set from outside, or the next turn has to be executed."""
+        """Remember nothing, because the machine was changed or the next turn has to be executed."""
         self.actions = _FORGOTTEN
 
     def look(self, until: int, last: int) -> None:
@@ -156,7 +154,7 @@ class Waiting:
         return True
 
     def _look_anywhere(self) -> None:
-        """Remember the state, and step from here if core did not change since the last time."""
+        """Remember the state, and step on if core did not change since the last look."""
         p = self.processor
         self.next_look = p.clock - p.clock % PERIOD + PERIOD
         still = p.bus.actions == self.actions and p.clock < self.quiet_until and self._unchanged()
@@ -204,7 +202,7 @@ class Waiting:
             self._remember()
 
     def _pass(self, event: int, until: int, last: int, ticks: int, count: int) -> None:
-        """Pass over the turns of `count` instructions in `ticks` that end before `event` and the limits."""
+        """Skip turns of `count` instructions and `ticks` that end before `event` and the limits."""
         p = self.processor
         turns = (min(event, until) - 1 - p.clock) // ticks
         if turns * count >= last - p.instructions:

@@ -24,7 +24,7 @@ def table(count: Count, listing: Listing) -> Iterator[str]:
 
 
 def never_executed(count: Count, listing: Listing) -> list[int]:
-    """Return the addresses of the listing whose words were never executed, data among them."""
+    """Return the listing's addresses that were never executed, including data."""
     return sorted(listing.words.keys() - count.executed.keys())
 
 

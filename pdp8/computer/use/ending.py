@@ -64,7 +64,7 @@ class _Step:
 
 
 def explained(stop: Stop, history: History, words: Mapping[int, int]) -> Stop:
-    """Return the stop with what went wrong, the first cause first; `words` are those that were loaded."""
+    """Return the stop with its causes, the first one first; `words` are the loaded ones."""
     machine = history.machine
     found: list[Why] = []
     if stop.reason is Reason.PROTECT:
@@ -83,7 +83,7 @@ def explained(stop: Stop, history: History, words: Mapping[int, int]) -> Stop:
 
 
 def may_be_wrong(stop: Stop, machine: Machine, words: Mapping[int, int]) -> bool:
-    """Whether there may be more to say of a stop than where it is."""
+    """Whether a stop may have causes worth looking for."""
     teletype = machine.teletype
     if teletype.transmitter.lost or teletype.receiver.lost:
         return True
@@ -93,7 +93,7 @@ def may_be_wrong(stop: Stop, machine: Machine, words: Mapping[int, int]) -> bool
 
 
 def rerun(machine: Machine, began: Values) -> History:
-    """Return the history of a copy that runs again from the values `began`, with all of the reader's tape."""
+    """Return the history of a copy that runs again from `began` with all of the reader's tape."""
     again = copy(machine)
     again.put(began)
     again.teletype.reader.tape = machine.teletype.reader.tape
@@ -105,7 +105,7 @@ def rerun(machine: Machine, began: Values) -> History:
 
 
 def _may_have_left(stop: Stop, turn: list[_Step], machine: Machine, words: Mapping[int, int]) -> bool:
-    """Whether it is worth while to run again and see whether the program left its words."""
+    """Whether a second run may show that the program left its words."""
     if stop.reason is Reason.LIMIT:
         return machine.instructions < _SHORT
     halted = stop.reason is Reason.HALT and machine.ma not in words
@@ -114,7 +114,7 @@ def _may_have_left(stop: Stop, turn: list[_Step], machine: Machine, words: Mappi
 
 
 def ended(stop: Stop, machine: Machine) -> str:
-    """Return how a run ended, and where."""
+    """Return a sentence on how and where a run ended."""
     if stop.reason is Reason.HALT:
         return f"HLT at {machine.ma:04o}"
     if stop.reason is Reason.PROTECT:
@@ -132,7 +132,7 @@ def ended(stop: Stop, machine: Machine) -> str:
 
 
 def waits_for(machine: Machine) -> tuple[Why, ...]:
-    """Return what a machine waits for in a loop that nothing already on its way will end."""
+    """Return what a machine waits for in a loop that needs an operator to end it."""
     return tuple(_tested(machine, [])) or (Why(LOOP, machine.pc, machine.pc),)
 
 
@@ -213,7 +213,7 @@ def _line(listing: Listing, core: Core, address: int) -> str:
 
 
 def _turn(machine: Machine) -> list[_Step]:
-    """Run one turn of the loop that the machine is in, and return it."""
+    """Run the loop once and return its instructions."""
     p = machine.processor
     first = p.pc, p.lac
     turn: list[_Step] = []
@@ -227,7 +227,7 @@ def _turn(machine: Machine) -> list[_Step]:
 
 
 def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> list[Why]:
-    """Return what keeps a machine in a loop within its words."""
+    """Return what keeps the machine in a loop."""
     for step in turn:
         called, target = step.leads_to(JMS), step.leads_to(JMP)
         if called >= 0 and all(other.address != called for other in turn) and _returns(turn, called) < 0:
@@ -249,7 +249,7 @@ def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> lis
 
 
 def _interrupts(machine: Machine, turn: list[_Step]) -> list[Why]:
-    """Return which device interrupts again and again, if the loop is nothing but interrupts and returns."""
+    """Return the device that keeps interrupting, if the loop consists of interrupts only."""
     entries = [at for at, step in enumerate(turn) if step.address == 1]
     flags = [device.code for device in machine.bus if device.flag]
     if not entries or not flags or len(turn) == _LONGEST:
@@ -258,7 +258,7 @@ def _interrupts(machine: Machine, turn: list[_Step]) -> list[Why]:
 
 
 def _returns(turn: list[_Step], pointer: int) -> int:
-    """Return where the loop jumps through `pointer`, -1 if nowhere."""
+    """Return where the loop jumps through `pointer`, or -1."""
     for step in turn:
         through = step.word >> 9 == JMP and step.word & INDIRECT
         if through and refers_to(step.word, step.address) == pointer:
@@ -271,7 +271,7 @@ def _is_called(address: int, words: Mapping[int, int]) -> bool:
 
 
 def _tested(machine: Machine, turn: list[_Step]) -> list[Why]:
-    """Return the flags that a loop tests, or that interrupt it, and that nothing raises."""
+    """Return the flags that the loop tests or is interrupted by and that will never rise."""
     tested = {device.code: machine.pc for device in machine.bus if device.tested}
     absent: dict[int, int] = {}
     for step in turn:
@@ -293,7 +293,7 @@ def _state(machine: Machine, code: int) -> int:
 
 
 def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
-    """Return how a program left its words first; [] if that is not in the history."""
+    """Return how a program first left its words, or [] if the history does not show it."""
     machine = history.machine
     since, now = machine.processor.started, machine.processor.clock
     with rewind.looking_back(history):
@@ -315,7 +315,7 @@ def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
 
 
 def _left(machine: Machine, to: int, words: Mapping[int, int], flags: list[int]) -> list[Why]:
-    """Return how the instruction that comes next leads to address `to`, if not a device whose flag is up."""
+    """Return how the next instruction leads to address `to`, unless a device's interrupt does."""
     address = machine.pc
     word = machine.core[address]
     operation, pointer = word >> 9, refers_to(word, address) if word >> 9 <= JMP else -1
@@ -332,7 +332,7 @@ def _left(machine: Machine, to: int, words: Mapping[int, int], flags: list[int])
 
 
 def _lost(history: History) -> list[Why]:
-    """Return what was lost at the printer and at the keyboard."""
+    """Return the characters lost at printer and keyboard."""
     teletype = history.machine.teletype
     found: list[Why] = []
     for what, device in ((LOST, teletype.transmitter), (UNREAD, teletype.receiver)):

@@ -48,17 +48,17 @@ class Goal:
         return Reason.BREAKPOINT if _at_a_breakpoint(machine) else Reason.LIMIT
 
     def over(self) -> None:
-        """Leave what is watched as it was."""
+        """Restore the watched addresses."""
 
 
 def _at_a_breakpoint(machine: Machine) -> bool:
-    """Tell whether a breakpoint is come to: the next instruction's, or that of the JMS just done."""
+    """Whether the machine is at a breakpoint: the next instruction or the target of the JMS just done."""
     p, watch = machine.processor, machine.watch
     return p.next == FETCH and (p.pc in watch.breakpoints or watch.called(p))
 
 
 class _Watched(Goal):
-    """An address among the breakpoints, or among the words whose writing ends a run, until it is over."""
+    """Adds an address to the breakpoints or watched words until the run is over."""
 
     def __init__(self, places: set[int], address: int) -> None:
         super().__init__()
@@ -74,7 +74,7 @@ class _Watched(Goal):
 
 
 class _Changed(_Watched):
-    """A word becomes another one; to write the same again ends nothing."""
+    """A word changes; writing the same value does not count."""
 
     def __init__(self, machine: Machine, address: int) -> None:
         super().__init__(machine.watch.writes, address)
@@ -114,7 +114,7 @@ class _Grown(Goal):
         return self._met(machine, before, reason)
 
     def cycle(self, machine: Machine) -> str:
-        """Run one memory cycle; the Teletype is brought up to its end."""
+        """Run one memory cycle and bring the Teletype up to its end."""
         before = self._counted(machine.teletype)
         reason = super().cycle(machine)
         machine.bus.advance(machine.processor.clock)
@@ -166,7 +166,7 @@ def _grown(kind: str) -> Goal:
 
 
 def forward(history: History, unit: str) -> str:
-    """Do one cycle, instruction, character or block; return why it ended, Reason.LIMIT if by itself."""
+    """Run one cycle, instruction, character or block; return Reason.LIMIT, or why it stopped."""
     machine = history.machine
     processor = machine.processor
     if unit == "instruction":

@@ -32,12 +32,12 @@ _SENDS = (
 
 
 def sent(typed: str) -> bytes:
-    """Return the frames that the keys send for what is typed at a terminal."""
+    """Return the frames for what is typed at a terminal."""
     return b"".join(_SENDS.get(character, b"") for character in typed)
 
 
 class Paper:
-    """What has been typed: its last `kept` lines, the column of the carriage."""
+    """The last `kept` lines that were typed, and the carriage's column."""
 
     def __init__(self, kept: int) -> None:
         self.kept = kept

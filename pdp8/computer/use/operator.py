@@ -58,7 +58,7 @@ IN_NO_TIME = Pace()
 
 
 class Action(NamedTuple):
-    """One thing the operator did: when, in ticks; to what; the word set or the tape's name; a sentence."""
+    """One action: its tick, object, word or tape, and a sentence."""
 
     at: int
     key: str
@@ -141,9 +141,7 @@ class Operator:
             yield
 
     def mount(self, name: str, tape: bytes) -> None:
-        """Put a tape in the reader, a loader's on its leader; on a halted machine START or CONT throws the
-        lever.
-        """
+        """Put a tape in the reader, a loader's on its leader; if halted, START or CONT throws the lever."""
         self.wait(self.pace.mounting)
         if self.reader.on and not self.panel.lamps.run:
             self.reader.lever(False)
@@ -152,7 +150,7 @@ class Operator:
         self._note("mount", name, f"{name} goes into the reader.")
 
     def throw_lever(self) -> None:
-        """Put the reader's lever to START, or to STOP; there it stays until it is thrown again."""
+        """Put the reader's lever to START or STOP."""
         self.reader.lever(not self.reader.on)
         self.lever_waits = False
         self._note("lever", None, f"The reader's lever to {'START' if self.reader.on else 'STOP'}.")
@@ -244,9 +242,7 @@ class Operator:
         return found._replace(frames=before + found.frames, sections=sections)
 
     def _pass_blank(self, name: str) -> int:
-        """Move past blank tape after the trailer, which RIM would load as 0000; return the frames passed, or
-        0.
-        """
+        """Move past blank tape after the trailer, which RIM would load as 0000; return the frames passed."""
         read = self.reader.position
         rest = self.reader.tape[read:]
         gap = rest[: len(rest) - len(rest.lstrip(bytes((LEADER, BLANK))))]
@@ -273,14 +269,14 @@ class Operator:
             raise LoadError(f"{name}: the BIN loader halted with AC = {ac:04o} after {read}: wrong checksum")
 
     def _read(self, what: str, began: int, words: Mapping[int, int]) -> Loading:
-        """Return what was read since `began`, of a tape that holds `words`."""
+        """Return what was read of `words` since `began`."""
         seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
         core = self.machine.core
         loaded = sum(core[address & 0o7777] == word for address, word in words.items())
         return Loading(what, 2, self.reader.position, 1, loaded, seconds, len(words) - loaded)
 
     def _run_on(self, seconds: float) -> None:
-        """Let the machine run on, if it runs, though it waits for what only the operator will do."""
+        """Continue the run if the machine waits for what the operator does next."""
         processor = self.machine.processor
         until = processor.clock + round(seconds * TICKS_PER_SECOND)
         while processor.run and processor.clock < until:
@@ -292,7 +288,7 @@ class Operator:
 
 
 def _longest(tape: bytes) -> float:
-    """Return the seconds given to a loader for a tape: twice as long as the reader takes, and a minute."""
+    """Return a loader's time limit: a minute and twice what the tape takes."""
     return 60 + 2 * len(tape) * FRAME / TICKS_PER_SECOND
 
 
@@ -304,7 +300,7 @@ def _ended(stop: Stop, tape: bytes) -> str:
 
 
 def _rim_content(tape: bytes) -> tuple[int, dict[int, int]]:
-    """Return where a RIM tape's trailer ends, as the operator sees from the tape, and the words it holds."""
+    """Return the end of a RIM tape's trailer and its words."""
     try:
         reading = rim.read(tape)
     except TapeError:

@@ -5,7 +5,7 @@ from typing import Any
 
 
 def cuts(random: Random, case: dict[str, Any]) -> dict[str, Any]:
-    """Return the case with the words from 0400 on: lengths along X and Y by turns, and the 0 behind them."""
+    """Return the case with alternating lengths along X and Y from 0400 on, ended by 0."""
     rise, run, band, length = (case["deposit"][name] for name in ("RISE", "RUN", "BAND", "LENGTH"))
     error, found = 0, []
     while length:

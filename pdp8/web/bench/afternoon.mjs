@@ -12,12 +12,12 @@ import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signa
 import { dict } from "../translator/runtime.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { html } from "../html.mjs";
-import { DESK, find, readdress } from "../written.mjs";
+import { DESK, readdress } from "../written.mjs";
+import { out } from "./next.mjs";
 import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the operator's last action is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
-const FINE = 4000; // steps of the slider: about half a pixel
 const STEP = 5 * SECOND; // of a play as fast as it goes
 const SAMPLES = 16; // of the lamps, for a picture
 const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
@@ -49,9 +49,8 @@ export class Afternoon {
   /** Play it from one o'clock; where the terminal in Toronto is not to be seen, from the first switch. */
   watch() {
     this.go(0);
-    if (find("teletype").classList.contains("out")) this.go(this.script.day.acts[1].starts);
-    find("units").querySelector("[value=character]").click();
-    this.bench.time.setSpeed(60);
+    if (out("teletype")) this.go(this.script.day.acts[1].starts);
+    this.bench.time.kept = { unit: "character", speed: "60" };
     this.play(true);
   }
 
@@ -66,9 +65,7 @@ export class Afternoon {
     const made = [`${part}.asc`, `${part}.eia`].map((name) => [name, shelf.get(name).frames]);
     const loaded = Object.entries(read).map(([name, frames]) => [name, frames.encode("latin-1")]);
     const [all, done] = [acts.map((/** @type {ConstructorParameters<typeof Act>} */ act) => new Act(...act)), actions.map((/** @type {ConstructorParameters<typeof Action>} */ action) => new Action(...action))];
-    const script = new Script(new Course(part, all, done, dict(/** @type {[string, Bytes][]} */ ([...made, ...loaded])), millStarts));
-    find("slider").max = script.end;
-    return script;
+    return new Script(new Course(part, all, done, dict(/** @type {[string, Bytes][]} */ ([...made, ...loaded])), millStarts));
   }
 
   /** Let the script have the last of the record's machines that come before a tick. */
@@ -109,7 +106,7 @@ export class Afternoon {
     bench.history.close();
     bench.aim();
     bench.switches?.card.end();
-    find("counts").checked = false;
+    bench.editor.stopCounting();
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
@@ -220,25 +217,19 @@ export class Afternoon {
   show() {
     if (!this.on) return;
     const { bench, script, script: { act, day, mounted, now } } = this;
-    const time = clock(now);
-    bench.writer.text(find("clock"), time);
+    bench.time.at(now, script.end, clock(now), act.name);
     bench.teletype.named(mounted, this.code);
-    if (Math.abs(find("slider").value - now) > script.end / FINE) find("slider").value = now;
-    if (time !== this.time) find("slider").setAttribute("aria-valuetext", `${time}, ${act.name}`);
-    this.time = time;
     if (this.shown !== act || this.program === null) this.#open(act);
     if (!act.program) bench.mill.follow(now - day.mill_starts);
   }
 
   write() {
     if (!this.on) return;
-    const { writer } = this.bench;
     const { act, action, machine, now } = this.script;
     const fresh = action && action.at >= act.starts && now - action.at < SAID;
     const doing = fresh ? action.say : waits(machine.processor);
     const caption = html`<span><b>${act.name}.</b> ${act.say} <em>${doing}</em></span>`;
-    writer.text(find("why"), act.name);
-    writer.html(find("next"), html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
+    this.bench.time.says(act.name, html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
   }
 
   /** An act begins: what belongs to it lies open on the desk. */

@@ -1,5 +1,6 @@
 // Core as a table, a page of 128 words at a time: a word that has changed is marked, and each can be written over.
 
+import { until } from "../../computer/use/goals.mjs";
 import { html, put } from "../html.mjs";
 import { find, octal } from "../written.mjs";
 
@@ -25,6 +26,13 @@ export class Core {
     this.heads.forEach((head, row) => (head.textContent = octal(this.first + row * WIDE)));
     this.cells.forEach((cell, index) => (cell.ariaLabel = `core ${octal(this.first + index)}`));
     this.write();
+  }
+
+  /** Run until what the form asks for. */
+  runUntil() {
+    const { bench } = this;
+    bench.afternoon.takeOver();
+    bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
   }
 
   set(/** @type {HTMLInputElement} */ cell) {

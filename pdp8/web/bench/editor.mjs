@@ -310,6 +310,10 @@ export class Editor {
     this.#draw();
   }
 
+  stopCounting() {
+    find("counts").checked = false;
+  }
+
   /** Count from now on how often each word is executed, or no more. */
   count(/** @type {HTMLInputElement} */ { checked: on }) {
     if (on) this.bench.afternoon.takeOver();

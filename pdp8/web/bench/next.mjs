@@ -32,6 +32,6 @@ function standing(/** @type {Processor} */ { core, pc, sing_step: step }, /** @t
 }
 
 /** Whether a pane is not in the page, which shows but some. */
-function out(/** @type {string} */ pane) {
+export function out(/** @type {string} */ pane) {
   return find(pane).classList.contains("out");
 }

@@ -143,7 +143,7 @@ export class Parts {
   /** Let eia.pal run on the tape, with an empty punch, at full speed; show() sees its end. */
   translate() {
     const { bench } = this;
-    find("counts").checked = false;
+    bench.editor.stopCounting();
     bench.machine.watch.breakpoints.clear(); // they were another program's
     bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
     bench.editor.load();

@@ -1,12 +1,13 @@
 // The time bar: run and stop, steps by unit, speed; the same controls for the afternoon and for the live machine.
 
 import * as rewind from "../../computer/past/rewind.mjs";
-import { forward, until } from "../../computer/use/goals.mjs";
+import { forward } from "../../computer/use/goals.mjs";
 import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
 import { keyed } from "./wiring.mjs";
 
+const FINE = 4000; // steps of the slider: about half a pixel
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
 
 export class Time {
@@ -36,18 +37,11 @@ export class Time {
     const { bench } = this;
     if (bench.afternoon.on) bench.afternoon.play(!bench.afternoon.playing);
     else if (bench.machine.processor.run) bench.switches.press("stop");
-    else this.#run();
-  }
-
-  /** Run until what the form asks for. */
-  runUntil() {
-    const { bench } = this;
-    bench.afternoon.takeOver();
-    this.#run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
+    else this.run();
   }
 
   /** Press CONT; the run ends at its `goal`. */
-  #run(goal = /** @type {import("../../computer/use/goals.mjs").Goal | undefined} */ (undefined)) {
+  run(goal = /** @type {import("../../computer/use/goals.mjs").Goal | undefined} */ (undefined)) {
     const { bench } = this;
     bench.aim(goal);
     bench.machine.panel.cont();
@@ -91,6 +85,24 @@ export class Time {
   set kept({ unit, speed }) {
     find("units").querySelector(`[value="${CSS.escape(unit)}"]`)?.click();
     if ([...find("speed").options].some(({ value }) => value === speed)) this.setSpeed(speed);
+  }
+
+  /** Show where the afternoon is: of so many ticks, and by its clock; what is done, and what comes next. */
+  at(/** @type {number} */ now, /** @type {number} */ end, /** @type {string} */ time, /** @type {string} */ act) {
+    const slider = find("slider");
+    slider.max = end;
+    if (Math.abs(slider.value - now) > end / FINE) slider.value = now;
+    if (find("clock").textContent !== time) slider.setAttribute("aria-valuetext", `${time}, ${act}`);
+    this.bench.writer.text(find("clock"), time);
+  }
+
+  says(/** @type {string} */ why, /** @type {ReturnType<typeof import("../html.mjs").html>} */ words) {
+    this.bench.writer.text(find("why"), why);
+    this.bench.writer.html(find("next"), words);
+  }
+
+  focus() {
+    find("play").focus({ preventScroll: true });
   }
 
   choose(/** @type {HTMLInputElement} */ { value }) {

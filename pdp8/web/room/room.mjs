@@ -268,7 +268,7 @@ export class Room {
     this.bench.sound.hum(0, 0);
     if (!location.hash.startsWith(DESK)) readdress(DESK, true);
     this.bench.show();
-    find("play").focus({ preventScroll: true });
+    this.bench.time.focus();
   }
 
   #key(/** @type {KeyboardEvent} */ event) {

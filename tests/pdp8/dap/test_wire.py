@@ -52,7 +52,7 @@ def test_a_message_that_is_no_object_is_passed_over(content: bytes, said: str) -
 
 
 def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(room: object, arguments: object) -> dict[str, Any]:
+    def fails(debuggee: object, arguments: object) -> dict[str, Any]:
         raise KeyError("body")
 
     monkeypatch.setitem(session._OF_THE_MACHINE, "scopes", fails)

@@ -133,7 +133,7 @@ WORKS = {
 
 
 @pytest.fixture
-def room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor]:
+def monitor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor]:
     """A session in which everything is there that could be lost."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "in.asc").write_bytes(b"\xb1\xb2\x8d\x8a")
@@ -178,8 +178,8 @@ def session(monitor: Monitor) -> tuple[object, ...]:
 
 
 @pytest.mark.parametrize("line", [f"{name} {words}" for name, each in NEAREST.items() for words in each])
-def test_the_nearest_value_is_accepted(room: Monitor, line: str) -> None:
-    do(room, line)
+def test_the_nearest_value_is_accepted(monitor: Monitor, line: str) -> None:
+    do(monitor, line)
 
 
 def test_every_command_has_its_refusals() -> None:
@@ -188,29 +188,29 @@ def test_every_command_has_its_refusals() -> None:
 
 @pytest.mark.parametrize("stands", [False, True])
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_is_refused_changes_nothing(name: str, stands: bool, room: Monitor) -> None:
+def test_what_is_refused_changes_nothing(name: str, stands: bool, monitor: Monitor) -> None:
     if stands:
-        do(room, "key stop")
-    before = session(room)
+        do(monitor, "key stop")
+    before = session(monitor)
     for arguments in REFUSED[name]:
         line = f"{name} {arguments}"
         with pytest.raises(WorkError):
-            do(room, line)
-        assert session(room) == before, line
+            do(monitor, line)
+        assert session(monitor) == before, line
 
 
-def test_a_tape_that_is_missing_when_its_turn_comes_is_still_awaited(room: Monitor) -> None:
-    room.machine.watch.breakpoints.clear()
-    room.machine.watch.writes.clear()
-    do(room, "trace off", "reader in.asc in.asc")
+def test_a_tape_that_is_missing_when_its_turn_comes_is_still_awaited(monitor: Monitor) -> None:
+    monitor.machine.watch.breakpoints.clear()
+    monitor.machine.watch.writes.clear()
+    do(monitor, "trace off", "reader in.asc in.asc")
     os.unlink("in.asc")
     with pytest.raises(WorkError, match=r"in\.asc: no such file"):
-        do(room, "go 200 10")
-    assert room.waiting_tapes == ["in.asc"]
+        do(monitor, "go 200 10")
+    assert monitor.waiting_tapes == ["in.asc"]
 
 
 @pytest.mark.slow("a script a line")
-def test_a_script_may_end_after_any_line_whole_or_not(tmp_path: Path, room: Monitor) -> None:
+def test_a_script_may_end_after_any_line_whole_or_not(tmp_path: Path, monitor: Monitor) -> None:
     for name, lines in WORKS.items():
         for arguments in lines:
             script = f"load hello.pal\ngo 200\n{name} {arguments}"

@@ -1,4 +1,4 @@
-"""A set of vectors with few states, for all tests of this room."""
+"""A set of vectors with few states, for all tests of this package."""
 
 from pathlib import Path
 

@@ -1,11 +1,11 @@
-"""The rooms: whose sources are changed and whose tests run; and the mutants that change nothing."""
+"""The packages: whose sources are changed and whose tests run; and the mutants that change nothing."""
 
 import tomllib
 from pathlib import Path
 
-HOUSE = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[2]
 
-ROOMS = {
+PACKAGES = {
     "tapes": (
         "tapes",
         [
@@ -25,21 +25,21 @@ ROOMS = {
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor/test_*.py", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer/**/test_*.py"]),
 }
-"""The folder and the tests of each room. A folder of its own here is left out of the room around it."""
+"""The folder and the tests of each package. A folder of its own here is left out of the package around it."""
 
 
-def sources(room: str) -> list[str]:
-    """Return the sources of a room, relative to the house."""
-    folder = ROOMS[room][0]
-    within = tuple(f"{other}/" for other, _ in ROOMS.values() if other.startswith(f"{folder}/"))
-    found = (path.relative_to(HOUSE).as_posix() for path in (HOUSE / folder).rglob("*.py"))
+def sources(package: str) -> list[str]:
+    """Return the sources of a package, relative to the repository."""
+    folder = PACKAGES[package][0]
+    within = tuple(f"{other}/" for other, _ in PACKAGES.values() if other.startswith(f"{folder}/"))
+    found = (path.relative_to(ROOT).as_posix() for path in (ROOT / folder).rglob("*.py"))
     return sorted(path for path in found if not within or not path.startswith(within))
 
 
-def tests(room: str) -> list[str]:
-    """Return the files of a room's tests, relative to the house."""
-    found = {path for pattern in ROOMS[room][1] for path in HOUSE.glob(pattern)}
-    return sorted(path.relative_to(HOUSE).as_posix() for path in found)
+def tests(package: str) -> list[str]:
+    """Return the files of a package's tests, relative to the repository."""
+    found = {path for pattern in PACKAGES[package][1] for path in ROOT.glob(pattern)}
+    return sorted(path.relative_to(ROOT).as_posix() for path in found)
 
 
 def equal() -> dict[tuple[str, str, str], str]:
