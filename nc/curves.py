@@ -304,11 +304,9 @@ def curve(nominal: Nominal, cutter: float) -> Curve:
 
 
 def fitted(points: Floats, within: float, band: float = 0) -> Ellipse | StraightLine | None:
-    """Return the line, circle or ellipse nearest to the points (n, 2); its constants are rounded to five
-    thousandths if all points lie within `band` of it then, else to one.
-
-    None if some point lies further than `within` from each of them, or if less than a quarter of the ellipse
-    is there: many ellipses fit a short arc.
+    """Return the line, circle or ellipse nearest to the points (n, 2), None if it misses some by more than
+    `within` or spans less than a quarter; constants are multiples of five thousandths if it stays within
+    `band`.
     """
     for fit in (_fitted_line, _fitted_ellipse):
         for unit, furthest in ((_ROUND, band), (1, within)):

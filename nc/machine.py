@@ -61,10 +61,8 @@ _QUILL_UP = frozenset({Miscellaneous.MANUAL_TOOL_CHANGE, Miscellaneous.INDEX, Mi
 
 @dataclass(frozen=True)
 class Settings:
-    """How the machine is set. Feed errors are fractions, for X, Y and Z, within +-0.2.
-
-    `feed_code` is used for milling in place of the tape's feed codes of Table 2.4; `peck` is the depth of a
-    peck in thousandths; `read_seconds` is the time to read a block.
+    """How the machine is set: feed errors of X, Y, Z as fractions within +-0.2; a milling `feed_code` in
+    place of the tape's; `peck` in thousandths; `read_seconds` a block.
     """
 
     feed_error: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -39,9 +39,7 @@ _SILENT = bytes((0, 0o200, 0o204, 0o215, 0o377))
 
 
 class ListingLine(NamedTuple):
-    """A statement of the listing; `source` is the whole line at its last statement, "" before, as DEC lists
-    it.
-    """
+    """A statement of the listing; `source` is the whole line at its last statement, "" at earlier ones."""
 
     address: int | None
     word: int | None

@@ -87,9 +87,7 @@ def rules(word: int) -> list[Rule]:
 
 
 def differs(word: int, model: str) -> str:
-    """Return what `word` does on `model` and not on others, "" if nothing. Raises ValueError for an unknown
-    model.
-    """
+    """Return what `word` does on `model` and not on others, "" if nothing. Raises ValueError."""
     if model not in MODELS:
         raise ValueError(f"{model!r} is not one of {', '.join(MODELS)}")
     said = dict.fromkeys(_sentence(rule, model) for rule in rules(word) if model in rule.does)

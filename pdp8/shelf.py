@@ -237,7 +237,7 @@ def of_standard_input() -> object:
 def check_kind(name: str, kind: str) -> None:
     """Raise ShelfError where `name` is a file that no product of that kind replaces, or of a wrong ending."""
     if kind == "SVG" and name.lower().endswith(_OTHER_PICTURES):
-        raise ShelfError(f"{name}: a picture is written as SVG alone; name it .svg")
+        raise ShelfError(f"{name}: pictures are written only as SVG; name it .svg")
     if not os.path.isfile(name) or not os.path.getsize(name):
         return
     kept = any(each.lower().endswith(_KEEPS.get(kind, ())) for each in (name, os.path.realpath(name)))

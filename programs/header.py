@@ -32,10 +32,8 @@ from tapes.hydrapoint import (
 
 @dataclass(frozen=True)
 class Header:
-    """The constants of the opening blocks; lengths in thousandths of an inch. A1 and A2 are where the table
-    parks for loading, C4 the coolant (7 flood, 8 mist, 9 off), G4 the Z feed code.
-
-    Raises WorkError for a value that the machine does not have.
+    """The constants of the opening blocks, lengths in thousandths: A1, A2 the parking place, C4 the coolant
+    (7 flood, 8 mist, 9 off), G4 the Z feed. Raises WorkError.
     """
 
     park_x: Annotated[int, "", THOUSANDTHS] = 19000

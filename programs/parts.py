@@ -19,10 +19,8 @@ NO_VALUES: Final[Mapping[str, Any]] = {}
 
 
 class Part(NamedTuple):
-    """A part program: what it is, and examples of its options.
-
-    `instrument` is the one with which the thesis measured the part, or None. `cutter` is the diameter that
-    its path was meant for, inches. `file` is what a file may contain in place of an expression.
+    """A part program with examples of its options; `instrument` measured it in the thesis, `cutter` is its
+    path's diameter in inches, `file` describes a file that may replace an expression.
     """
 
     name: str

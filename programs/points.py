@@ -93,9 +93,7 @@ def _check_turn(before: Place, here: Place, after: Place, tolerance: float) -> N
 
 
 def _check_smooth(line: list[Place], axis: int, least: float) -> None:
-    """Raise WorkError where a line turns back by less than `least` along an axis: a stop might miss the band
-    there.
-    """
+    """Raise WorkError where a line turns back by less than `least` along an axis, so that a stop may miss."""
     ends: list[Place] = []
     values = [place[axis] for place in line]
     start = values.index(min(values))

@@ -102,9 +102,7 @@ def _cells(line: str, mark: str) -> list[str]:
 
 
 def _fits(lines: list[tuple[int, str]], mark: str, point: str) -> tuple[int, int, int]:
-    """Return how many lines have two numbers or more in this style, and as many columns as most of them; less
-    what of them is no number; less the numbers with thousands apart.
-    """
+    """How many lines fit this style: two numbers or more, the usual number of columns, less bad cells."""
     counts: Counter[int] = Counter()
     others = thousands = 0
     for _, line in lines:

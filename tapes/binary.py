@@ -71,10 +71,8 @@ class Section(NamedTuple):
 
 
 class Reading(NamedTuple):
-    """A tape as far as it can be read: its whole sections, the items of one that does not end, what is wrong
-    with it, None if nothing is, and the frames of its labels, in its order.
-
-    `notes` say what it lacks, `start` is the frame on which an operator sets it.
+    """A tape as far as it can be read: whole sections, the items of an unended one, the damage or None, the
+    labels' frames; `notes` on what is missing, and `start`, where an operator sets it.
     """
 
     sections: tuple[Section, ...]
@@ -218,8 +216,8 @@ def _read_from(frames: bytes, start: int) -> Reading:
 
 
 def _checksum_at(frames: bytes, items: list[Item]) -> int:
-    """Return which of the items of a section without trailer is its checksum: the sum of those before it, and
-    after it there is only what a file may have at its end, and one last frame. 0 if there is none.
+    """Return the index of the checksum in a section without trailer: the sum of what comes before, with only
+    padding and one frame after it; 0 if there is none.
     """
     computed = 0
     for number, (kind, value, frame) in enumerate(items):
@@ -254,11 +252,8 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
 
 
 def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
-    """Tell whether what follows a trailer at frame `at` is a label: `items` is what it reads as, up to the
-    `wrong` frame, -1 if there is none.
-
-    A section comes after leader and begins with an origin or a field. Letters read so soon meet a frame that
-    is none; a section that is damaged goes on for longer, or to the end of the tape.
+    """Tell whether the frames after a trailer are a label, which is soon `wrong` when read as `items`; a
+    section begins with an origin or field after leader, and goes on for longer.
     """
     if frames[at - 1] != LEADER or _first_kind(items) != ORIGIN:
         return True

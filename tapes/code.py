@@ -118,8 +118,8 @@ class Characters(Code):
         return ["label" if at in passed else self.caption(frame) for at, frame in enumerate(frames)]
 
     def fitting(self, frames: bytes) -> bytes:
-        """Return the frames that a tape's characters may be."""
-        raise NotImplementedError
+        """Return the frames that its characters may be: by default those with a caption other than "?"."""
+        return bytes(frame for frame in range(0o400) if self.caption(frame) != "?")
 
     def labels(self, frames: bytes) -> tuple[range, ...]:
         """Return the frames of a title before the text: letters for the eye, then blank tape."""

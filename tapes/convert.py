@@ -32,11 +32,8 @@ def convert(
     accept: bool = False,
     force: bool = False,
 ) -> bytes:
-    """Convert the tape or file `content` from `source`, one of FORMS, to `target`, one of TARGETS.
-
-    `parity` and `fill` say how ASCII is punched. Raises TapeError or TextError: characters cannot become
-    words; frames are doubtful, unless `accept` takes them as they were punched; a tape of words is damaged,
-    unless `force` takes what can be read.
+    """Convert `content` from `source`, one of FORMS, to `target`, one of TARGETS. Raises TapeError or
+    TextError for what cannot be, for doubtful frames without `accept`, and for damage without `force`.
     """
     code = codes.named(source)
     if source == OCTAL:

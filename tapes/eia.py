@@ -60,9 +60,7 @@ _TO_CHARACTER = bytes(
 
 
 def encode(text: str, skip: str = "") -> bytes:
-    r"""Punch `text`, "\n" as EOB, without the characters in `skip`, in capitals. Raises TextError for any
-    other.
-    """
+    r"""Punch `text` in capitals, "\n" as EOB, without the characters in `skip`. Raises TextError."""
     frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode())
     if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
         index = next(i for i, character in enumerate(text) if not (character in skip or _has_code(character)))
@@ -71,10 +69,8 @@ def encode(text: str, skip: str = "") -> bytes:
 
 
 def decode(frames: bytes, blank: str | None = None) -> str:
-    r"""Return what the tape says, each EOB as "\n"; DEL and blank frames around the data say nothing.
-
-    A blank frame inside the data is an error, as on most controls, unless `blank` gives what it stands for
-    ("0" on a Hydra-Point). Raises TapeError naming the first frame that is no EIA code.
+    r"""Return the text, EOB as "\n"; a blank frame in the data is `blank`, or else an error, as on most
+    controls. Raises TapeError at the first bad frame.
     """
     start = skip(frames, 0, BLANK)
     characters = frames[start : paper_end(frames)].translate(_TO_CHARACTER)
@@ -86,11 +82,8 @@ def decode(frames: bytes, blank: str | None = None) -> str:
 
 
 def clean(frames: bytes) -> bytes:
-    """Return the digits and EOBs of a tape, and the blank frames before them.
-
-    A second pass through a Flexowriter did this with the tapes of the thesis's second conversion program
-    (Chapter 5): it left out the characters that the program had passed on. Raises TapeError where nothing is
-    left of a tape that is not blank.
+    """Return only digits, EOBs and the blanks before them, as a second pass through a Flexowriter did
+    (Chapter 5). Raises TapeError if nothing is left.
     """
     start = skip(frames, 0, BLANK)
     cleaned = frames.translate(None, _NOT_OF_A_BLOCK)
@@ -179,7 +172,7 @@ class _Eia(Characters):
         return sum(0 < after - before <= 10 for before, after in pairwise(numbers))
 
     def doubt(self, frames: bytes) -> str:
-        """Return that a program finds no ASCII."""
+        """Return the warning that a program finds no ASCII on this tape."""
         return "is an EIA tape: a program for ASCII finds no character on it"
 
 

@@ -64,9 +64,7 @@ def with_parity(frames: bytes, parity: str) -> bytes:
 
 
 def parity(frames: bytes) -> str:
-    """Return the key of PARITIES that every character obeys, "mixed", or "none"; blanks and rubouts do not
-    count.
-    """
+    """Return the key of PARITIES that every character obeys, or "mixed"; blanks and rubouts do not count."""
     characters = bytes(sorted(set(frames) - {BLANK, LEADER, RUBOUT}))
     for name in ("none", "mark", "even", "odd"):
         if characters.translate(PARITIES[name]) == characters:

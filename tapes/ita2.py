@@ -54,9 +54,6 @@ class _Ita2(Characters):
         """Return the character of each frame in the shift that it is in."""
         return [_NAMES.get(said, said) for said in _shifted(frames)]
 
-    def fitting(self, frames: bytes) -> bytes:
-        return _FIVE
-
     def line_end(self) -> int:
         return _LETTERS.index("\n")
 

@@ -300,10 +300,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
 
 
 def _program(options: Options, explicit: Collection[str | None]) -> "Program | None":
-    """Return the program, if one is named; first the names of all files are checked.
-
-    Raises UsageError for an option that means nothing for a program of its kind.
-    """
+    """Return the program, if named, after checking all file names. Raises UsageError for a useless option."""
     reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
     reads += [fitting.file_of(name) for name in options.device]
     reels_in, reels_out = (_by_drive(option) for option in (options.dectape, options.save_dectape))
@@ -379,9 +376,7 @@ def _feed(options: Options, machine: Machine) -> Feed:
 def _run(
     options: Options, machine: Machine, found: "Program | None", feed: Feed, failures: list[ShelfError]
 ) -> _Ended:
-    """Run to the end, watched as was asked for; return how it ended. What cannot be written is added to
-    `failures`: everything else is written all the same.
-    """
+    """Run to the end, recorded as asked for; return how it ended, and add files that failed to `failures`."""
     outputs = []
     if options.punch is not None or not _paged(options):
         outputs.append(Output(machine.teletype.punch, options.punch))
@@ -467,7 +462,7 @@ def _report(
         return 1
     if stop == _CLOSED:
         if not options.quiet:
-            command.say(f"nobody reads standard output any more, at {machine.pc:04o}{counts}")
+            command.say(f"the reader of standard output has closed it, at {machine.pc:04o}{counts}")
         return 0
     done = stop.reason in _DONE
     if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not _fed(options):
@@ -483,9 +478,7 @@ def _report(
 
 
 def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Values") -> Stop:
-    """Return the stop with its reasons. A run that only its tape has influenced is run again for that; any
-    other has its history.
-    """
+    """The stop with its causes: a run without an operator is repeated for them, another has a history."""
     words = found.words if found else {}
     if not may_be_wrong(stop, machine, words):
         return stop

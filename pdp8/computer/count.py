@@ -28,8 +28,8 @@ class _Executed(NamedTuple):
 
 
 class Count:
-    """The counts: executed[address] and written[address] of each word, operations[name], interrupts, cycles,
-    `ticks` of 0.05 us in all, and `waiting`, the ticks in loops that only wait.
+    """Counts by address (`executed`, `written`), of operations, interrupts and cycles; `ticks` in all and
+    `waiting`.
     """
 
     def __init__(self) -> None:
@@ -77,9 +77,7 @@ class Count:
         self.operations[_operation(word)] += times
 
     def _ring(self, processor: Processor, instructions: int, ticks: int) -> list[_Executed]:
-        """Return one turn of the loop: what was executed since the PC was here before, if turns of it make so
-        many instructions in so many ticks.
-        """
+        """One turn of a loop since the PC was last here, if its turns fill `instructions` and `ticks`."""
         ring = []
         for executed in reversed(self._last):
             ring.append(executed)

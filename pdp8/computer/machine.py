@@ -71,10 +71,8 @@ def _ticks(seconds: float) -> int:
 
 
 class Machine:
-    """A PDP-8/L with `memory` words of core and `devices`, as it is switched on: core and registers 0.
-
-    Without `devices` it has an ASR-33. They are fitted one behind the other, each in front of those before.
-    More than 4K comes with the memory extension MC8/L: 8K, or 32K as no PDP-8/L had it.
+    """A PDP-8/L just switched on, with `memory` words of core, `devices` (by default an ASR-33), each in
+    front of those before, and above 4K the memory extension MC8/L.
     """
 
     def __init__(self, devices: Iterable[Peripheral] | None = None, memory: int = FIELD) -> None:
@@ -171,12 +169,8 @@ class Machine:
     def run(
         self, seconds: float | None = None, instructions: int | None = None, cycles: int | None = None
     ) -> Stop:
-        """Run until the program stops or only waits for what can never come; return why.
-
-        `seconds` of machine time and number of `instructions` limit this run, which ends with an instruction;
-        a number of memory `cycles`, given alone, may end within one, and passes breakpoints. From a
-        standstill this is CONT; a limit of 0 presses no key, and nothing happens. Raises ValueError for a
-        negative limit and for NaN.
+        """Press CONT and run until the program stops or waits for ever, for `seconds`, `instructions`, or
+        only `cycles`, which ignore breakpoints; return why. Raises ValueError for a negative limit or NaN.
         """
         p = self.processor
         for limit, what in ((instructions, "instructions"), (cycles, "cycles")):
@@ -262,13 +256,8 @@ class Machine:
         longest: float = 60.0,
         through_waits: bool = False,
     ) -> Iterator[Stop]:
-        """Run as `run` does, slice by slice; yield how the machine stands after each, the last time as the
-        run ended. Until then the reason is `limit`.
-
-        A slice takes some twentieth of a second of real time, but `shortest` to `longest` seconds of machine
-        time: the caller can look at it in between, press keys, STOP too, or leave the loop. A program that
-        waits for what can never come ends the run, unless `through_waits`: then it goes on when the caller
-        presses a key, or lets time pass with `wait`.
+        """Run as `run` does, in slices of about a twentieth of a real second; yield the state after each, so
+        that the caller can press keys or stop. With `through_waits` an endless wait does not end the run.
         """
         last = NEVER if seconds is None else self.ticks + _ticks(seconds)
         slice_ = min(max(_FIRST, shortest), longest)

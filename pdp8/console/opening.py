@@ -19,10 +19,8 @@ def opening(
     cold: bool = False,
     clock: Callable[[], float] = perf_counter,
 ) -> tuple[Session, list[Program]]:
-    """Return the session and the programs whose listings lie ready: RIM, BIN and the one it is about.
-
-    `program` is in core and the PC at `start`, or core is `cold`, as it is without a program. `reader` names
-    the tape in the reader, `clock` tells the computer's own seconds. Raises WorkError for an unreadable file.
+    """Return the session and its listings' programs; `program` is in core and the PC at `start`, unless
+    `cold`; `reader` names a tape, `clock` gives real seconds. Raises WorkError for an unreadable file.
     """
     rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
     last = shelf.program(program) if program else shelf.bundled_program("eia.pal")

@@ -32,10 +32,8 @@ _HITS = re.compile(r"\s*(==|>=|<=|>|<|%)?\s*([0-9]+)\s*")
 
 
 class Point:
-    """A breakpoint: what the editor asked for, and where it is now.
-
-    `key` is the line, name or reference that it stands for. `address` is None, and `why` says so, where there
-    is no place for it.
+    """A breakpoint as the editor asked for it by `key`, a line, name or reference; `address` is None, with
+    `why`, if it has no place.
     """
 
     def __init__(self, number: int, kind: str, key: object, asked: Body) -> None:

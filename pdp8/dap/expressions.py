@@ -13,7 +13,7 @@ import operator
 import re
 from collections.abc import Callable
 
-from pdp8.monitor import hands
+from pdp8.monitor import debugging
 from pdp8.monitor.arguments import MonitorError, octal
 from pdp8.monitor.prompt import Monitor
 
@@ -96,9 +96,9 @@ _JOINED: dict[type[ast.boolop], Callable[..., bool]] = {ast.And: all, ast.Or: an
 
 
 def _named(name: str, monitor: Monitor, address: bool) -> Value:
-    machine, register = monitor.machine, hands.register(name)
+    machine, register = monitor.machine, debugging.register(name)
     symbol = monitor.listing.symbols.get(name.upper()[:6])
-    if symbol is None and register in hands.REGISTERS:
+    if symbol is None and register in debugging.REGISTERS:
         return lambda: int(getattr(machine, register))
     if symbol is None:
         raise MonitorError(f"{name}: neither a register nor a symbol of the program")

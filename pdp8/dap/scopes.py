@@ -19,7 +19,7 @@ from pdp8.dap.breakpoints import LINES
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.places import reference
 from pdp8.dap.wire import Body
-from pdp8.monitor import hands
+from pdp8.monitor import debugging
 from pdp8.monitor.arguments import MonitorError, command, octal
 from pdp8.monitor.commands import COMMANDS, do
 from pdp8.monitor.prompt import Monitor
@@ -88,7 +88,7 @@ def set_variable(debuggee: Debuggee, arguments: Body) -> Body:
     monitor, number, name = debuggee.monitor, arguments["variablesReference"], arguments["name"]
     value = arguments["value"].strip()
     if number == REGISTERS:
-        hands.set_(monitor, name.lower().replace(" ", "_"), value)
+        debugging.set_(monitor, name.lower().replace(" ", "_"), value)
     elif number == SYMBOLS:
         monitor.machine.core[monitor.address(name)] = monitor.address(value)
     elif number >= _PARTS:
@@ -105,7 +105,7 @@ def data_info(debuggee: Debuggee, arguments: Body) -> Body:
     name, scope = arguments["name"], arguments.get("variablesReference") or SYMBOLS
     try:
         if scope != SYMBOLS:
-            raise WorkError(f"{name}: words of core alone are watched")
+            raise WorkError(f"{name}: only words of core can be watched")
         address = debuggee.monitor.address(name)
     except WorkError as error:
         return {"dataId": None, "description": str(error)}
@@ -136,8 +136,8 @@ def evaluate(debuggee: Debuggee, arguments: Body) -> Body:
 def set_expression(debuggee: Debuggee, arguments: Body) -> Body:
     """Set a register, or the word at a symbol or an address; return it as it is then."""
     monitor, name, value = debuggee.monitor, arguments["expression"].strip(), arguments["value"].strip()
-    if hands.is_register(monitor, name):
-        hands.set_(monitor, name, value)
+    if debugging.is_register(monitor, name):
+        debugging.set_(monitor, name, value)
     else:
         monitor.machine.core[monitor.address(name)] = monitor.address(value)
     return {"value": _value_of(monitor, name)["result"]}
@@ -173,7 +173,7 @@ def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
 def completions(debuggee: Debuggee, arguments: Body) -> Body:
     """Return completions for a console line: commands first, then registers and symbols."""
     begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
-    known = [*hands.REGISTERS, *debuggee.monitor.listing.symbols]
+    known = [*debugging.REGISTERS, *debuggee.monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
     typed = begun[2].upper()
     found = [name if name in COMMANDS else name.upper() for name in names]
@@ -182,8 +182,8 @@ def completions(debuggee: Debuggee, arguments: Body) -> Body:
 
 def _value_of(monitor: Monitor, expression: str) -> Body:
     """Return what a register holds, the word at an address, or what an expression is. Raises MonitorError."""
-    name = hands.register(expression)
-    if name in hands.REGISTERS:
+    name = debugging.register(expression)
+    if name in debugging.REGISTERS:
         return {"result": _register(monitor.machine, name)}
     if not name:
         raise MonitorError("a register, a symbol or an address expected")
@@ -196,7 +196,7 @@ def _value_of(monitor: Monitor, expression: str) -> Body:
 
 
 def _register(machine: Machine, name: str) -> str:
-    return f"{getattr(machine, name):0{len(f'{hands.greatest(machine, name):o}')}o}"
+    return f"{getattr(machine, name):0{len(f'{debugging.greatest(machine, name):o}')}o}"
 
 
 def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
@@ -211,10 +211,10 @@ def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
 
 def _registers(monitor: Monitor) -> Iterator[Body]:
     machine = monitor.machine
-    for name in hands.REGISTERS:
+    for name in debugging.REGISTERS:
         refers = {"memoryReference": reference(getattr(machine, name))} if name in ("pc", "ma") else {}
         yield _variable(name.upper(), _register(machine, name), **refers)
-    for switch in hands.SWITCHES:
+    for switch in debugging.SWITCHES:
         yield _variable(switch.upper().replace("_", " "), str(int(getattr(machine.panel, switch))))
 
 

@@ -52,10 +52,8 @@ class Trial:
 
 @dataclass(frozen=True)
 class Case:
-    """Trials that are marked together: every one must be right. Of a hidden case only the name is shown.
-
-    `tests` quotes what it tries from the task. `hints` are by what happened (diagnosis.py) or by what differs
-    (AC, the tape, a tag); "" for any result.
+    """Trials that must all be right; `tests` quotes the task, `hints` are by what happened or differs, "" for
+    any. Of a hidden case only the name is shown.
     """
 
     name: str

@@ -103,7 +103,7 @@ def _case(given: object, where: str) -> Case:
     ]
     single = {key: found.pop(key) for key in (*TRIAL, "again") if key in found}
     if trials and single:
-        raise ExerciseError(f"{where}: {next(iter(single))} belongs into its trials")
+        raise ExerciseError(f"{where}: {next(iter(single))} belongs in its trials")
     return Case(trials=tuple(trials) or (_trial(single, where),), hints=found.pop("hint", {}), **found)
 
 

@@ -90,10 +90,10 @@ def _broken(exercise: Exercise, answer: Answer) -> str:
         return "this exercise looks at the source: hand in PAL, not a tape"
     for item in source.required:
         if item not in items:
-            return f"{item} is to be used, and is not"
+            return f"this exercise requires {item}"
     for item in source.forbidden:
         if item in items:
-            return f"{item} is not to be used"
+            return f"this exercise forbids {item}"
     if source.words is not None and len(answer.words) > source.words:
         return f"{len(answer.words)} words of core; at most {source.words} are allowed"
     for place in source.spare:

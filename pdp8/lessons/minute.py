@@ -35,8 +35,8 @@ class Step(NamedTuple):
 
 
 class Look(NamedTuple):
-    """What the steps ask about. The next word, of number `at` (5: none), belongs to `place`, and `there` says
-    whether DEP puts it there; if there is none, the program begins at `place`. `made` is what `frames` say.
+    """What the steps depend on: the next word's number `at` (5: none) and `place`, or the program's start;
+    whether it is `there`; the punched `frames` and what they say, `made`.
     """
 
     at: int

@@ -28,9 +28,8 @@ _CALLS = 1000
 
 
 class Outcome(NamedTuple):
-    """What the machine was like when it stopped; of tape, page and count what START number `number` brought.
-
-    The stop of one that left its program is a breakpoint. `printing` says whether a character was under way.
+    """The machine when it stopped; tape, page and count are those of START number `number`. Leaving the
+    program counts as a breakpoint; `printing`: a character was being printed.
     """
 
     stop: Stop

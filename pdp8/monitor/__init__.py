@@ -3,8 +3,9 @@
 prompt       a machine at a prompt, and the places that a line names
 arguments    the words of a line: quotes and escapes, octal, seconds
 commands     every command by its name: a line becomes one
-hands        words, registers, switches and keys; breakpoints, steps, traces
-running      going on until something: a time, a text on the page, a value
+debugging    words, registers, switches and keys; breakpoints, steps, traces
+running      running until a time, a text on the page, or a value
+rack         DECtapes on their drives
 keystrokes   the Teletype's keys, as the program asks for them
 past         undoing what the machine has done
 simh         the words of SIMH's that are not the monitor's own

@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from pdp8 import shelf
-from pdp8.monitor import hands, keystrokes, past, rack, running, simh, tapes
+from pdp8.monitor import debugging, keystrokes, past, rack, running, simh, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError, called
@@ -36,9 +36,7 @@ _AT_SIMH = {
 
 
 class Command(NamedTuple):
-    """A command: name, operands, action, what is missing if they are too few or many, and how words are
-    split.
-    """
+    """A command: its name, operands, action, what is missing, and how its words are split."""
 
     name: str
     arguments: str
@@ -86,20 +84,20 @@ def do_file(monitor: Monitor, name: str, *more: str) -> None:
         monitor.depth -= 1
 
 
-_PLACES = f"{' '.join(hands.REGISTERS)} or an address"
+_PLACES = f"{' '.join(debugging.REGISTERS)} or an address"
 _TAPES = "names of tapes, or start, stop, or none"
 COMMANDS = {
     each.name: each
     for each in (
-        Command("examine", "A|A:B|NAME ...", hands.examine, "an address"),
-        Command("deposit", "A WORD ...|A:B WORD", hands.deposit, "an address and words"),
-        Command("set", "NAME WORD", simh.set_, f"one of {hands.NAMES} and a word"),
-        Command("registers", "", hands.registers),
+        Command("examine", "A|A:B|NAME ...", debugging.examine, "an address"),
+        Command("deposit", "A WORD ...|A:B WORD", debugging.deposit, "an address and words"),
+        Command("set", "NAME WORD", simh.set_, f"one of {debugging.NAMES} and a word"),
+        Command("registers", "", debugging.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
         Command("boot", "PROGRAM [force]", rack.boot, "the name of a program"),
         Command("listing", "PROGRAM", tapes.listing, "the name of a program"),
         Command("rim", "", tapes.rim),
-        Command("key", "KEY ...", hands.key, f"one or more of the keys {' '.join(hands.KEYS)}"),
+        Command("key", "KEY ...", debugging.key, f"one or more of the keys {' '.join(debugging.KEYS)}"),
         Command("go", "[A] [SECONDS|until TEXT]", running.go),
         Command("cont", "[SECONDS|until TEXT]", running.cont),
         Command("run", "[SECONDS|until TEXT]", running.run),
@@ -107,14 +105,14 @@ COMMANDS = {
         Command("expect", "TEXT [SECONDS]", running.expect),
         Command("assert", "REGISTER|A WORD", running.assert_, f"one of {_PLACES}, and a word"),
         Command("wait", "SECONDS", running.wait, "seconds"),
-        Command("step", "[N]", hands.step, "how many, octal,"),
-        Command("cycle", "[N]", hands.cycle, "how many, octal,"),
+        Command("step", "[N]", debugging.step, "how many, octal,"),
+        Command("cycle", "[N]", debugging.cycle, "how many, octal,"),
         Command("back", "[N] [UNIT] | until A [written|flag]", past.back),
-        Command("break", "[A ...]", hands.break_),
-        Command("watch", "[A ...]", hands.watch),
-        Command("forget", "[A ...]", hands.forget),
-        Command("trace", "on|cycles|off", hands.trace, "on, cycles or off"),
-        Command("count", "[on|off|listing]", hands.count, "on, off or listing, or nothing"),
+        Command("break", "[A ...]", debugging.break_),
+        Command("watch", "[A ...]", debugging.watch),
+        Command("forget", "[A ...]", debugging.forget),
+        Command("trace", "on|cycles|off", debugging.trace, "on, cycles or off"),
+        Command("count", "[on|off|listing]", debugging.count, "on, off or listing, or nothing"),
         Command("reader", "TAPE ...|start|stop|none", tapes.reader, _TAPES),
         Command("punch", "FILE|on|off|A:B FILE", tapes.punch, "the name of a file, or on, or off"),
         Command("fast-reader", "TAPE", tapes.fast_reader, "the name of a tape"),

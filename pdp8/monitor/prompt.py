@@ -110,7 +110,7 @@ class Monitor:
         address = self._named(name or text)
         for offset in offsets:
             if offset[1:].upper()[:6] in self.listing.symbols:
-                raise MonitorError(f"{text}: a range? write A:B; after + and - stand octal numbers")
+                raise MonitorError(f"{text}: a range? write A:B; octal numbers follow + and -")
             address += octal(offset[1:]) * (1 if offset[0] == "+" else -1)
         if not 0 <= address < self.machine.memory:
             raise MonitorError(f"{text}: not between 0000 and {self.machine.memory - 1:o}")

@@ -15,7 +15,7 @@ from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
-from pdp8.monitor.hands import REGISTERS, register
+from pdp8.monitor.debugging import REGISTERS, register
 from pdp8.monitor.prompt import Monitor
 from tapes.quantities import counted
 

@@ -13,7 +13,7 @@ from functools import partial
 
 from pdp8 import shelf
 from pdp8.computer.hardware.extension import MEMORY
-from pdp8.monitor import hands, rack, tapes
+from pdp8.monitor import debugging, rack, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
@@ -129,7 +129,7 @@ def set_(monitor: Monitor, name: str, *values: str) -> None:
     SIMH's.
     """
     if not _option(monitor, name, values):
-        hands.set_(monitor, name, *some(values, f"one of {hands.NAMES} and a word", 1, 1))
+        debugging.set_(monitor, name, *some(values, f"one of {debugging.NAMES} and a word", 1, 1))
 
 
 def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
@@ -139,7 +139,7 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
         monitor.realtime = name == "throttle"
     elif name == "cpu":
         if value in MEMORY:
-            hands.set_core(monitor, value)
+            debugging.set_core(monitor, value)
         elif value not in ("idle", "noidle", "noeae", ""):
             raise MonitorError(
                 f"{value}: {', '.join(MEMORY)} are the sizes of core; no EAE, and idle is always so"

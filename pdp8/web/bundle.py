@@ -155,11 +155,8 @@ def _identifier(name: str) -> str:
 def page(
     title: str, body: str, styles: Iterable[str], entry: str, data: Any, more: Any = None, kind: str = ""
 ) -> str:
-    """Return the page with the HTML file `body`, its styles, scripts and data inside, and their policy;
-    `more` is data for the second script, `kind` the class of its body.
-
-    Scripts and data are compressed. The policy lets the page run its own scripts and style, and ask for
-    nothing.
+    """Return the page with HTML file `body`, compressed scripts and data inside, and a policy that forbids
+    the network; `more` is data for the second script, `kind` the body's class.
     """
     code, later = scripts(entry)
     start = source("start.js")

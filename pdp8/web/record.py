@@ -112,8 +112,8 @@ def _steps(path: str) -> str:
 
 
 def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:
-    """Return the machine's values in the midst and at the end of the translation, each with its tick; a piece
-    of one of `tapes` as its name, from, to.
+    """Return the machine's values amid and after the translation, with their ticks; pieces of `tapes` by
+    name, from, to.
     """
     act = next(act for act in done.acts if act.kind == Kind.TRANSLATE)
     script = Script(done.course)

@@ -50,7 +50,7 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
     best = max((side.share for side in sides), default=0)
     if best < 0.5:
         if max(_share(flat, paper, 0, three, _TWO) for three in (-1, 1)) > 0.5:
-            raise TapeError("a five-channel tape: tape of eight channels alone is read")
+            raise TapeError("a five-channel tape: only tape of eight channels is read")
         raise TapeError(
             "the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes; both have to be"
             " in the picture, free, on something of another colour"

@@ -188,7 +188,7 @@ MISUSE = {
         "--origin 4": "'4' is not X,Y: 2 numbers separated by commas",
         "--range 0 --function x": "'0' is not FROM,TO: 2 numbers separated by commas",
         "--stretch inf,2": "'inf,2' is not FROM,TO: 2 numbers separated by commas",
-        "--talyrond e.PNG": "a picture is written as SVG alone; name it .svg",
+        "--talyrond e.PNG": "pictures are written only as SVG; name it .svg",
         "--stretch 1,2": "--stretch means nothing without --talysurf.",
         "--circle 4,4,1 --line 1,1,2,2": "--circle does not go with --line.",
         "--function x": "--function means nothing without --range.",

@@ -80,7 +80,7 @@ def test_a_record_replaces_its_like_alone(kind: str, first: bytes) -> None:
 
 @pytest.mark.parametrize("ending", [".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".DXF"])
 def test_a_picture_of_another_format_is_not_promised(ending: str) -> None:
-    with pytest.raises(ShelfError, match=f"x{ending}: a picture is written as SVG alone; name it .svg"):
+    with pytest.raises(ShelfError, match=f"x{ending}: pictures are written only as SVG; name it .svg"):
         shelf.check_kind(f"x{ending}", "SVG")
     shelf.check_kind(f"x{ending}", "HTML")
 

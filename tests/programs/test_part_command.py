@@ -231,7 +231,7 @@ def test_a_script_is_told_what_the_command_says() -> None:
         ("circle", {"radius": 1750}, "radius: 1750 in: must be less than 100 in; for 1750 thousandths write"),
         ("circle", {"radus": 1}, "no constant 'radus'; there are radius, tolerance"),
         ("circle", {"technique": "leap"}, "technique: 'leap' is not one of"),
-        ("heptagon", {}, "no such part program; there are circle, ellipse"),
+        ("heptagon", {}, f"no such part program; there are {', '.join(parts.PARTS)}"),
     ]
     for name, constants, message in refused:
         with pytest.raises(WorkError, match=re.escape(f"{name}: {message}")):

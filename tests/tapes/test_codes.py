@@ -128,6 +128,7 @@ def test_what_every_code_does(code: Code) -> None:
         text = "0010000000000003588\n0029030000350000189\n"
         tape = code.encode(text)
         assert code.decode(tape) == text
+        assert set(tape) <= set(code.fitting(tape))
     else:
         assert isinstance(code, Words)
         tape = code.encode(FORMAT_WORDS)

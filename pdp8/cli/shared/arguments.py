@@ -203,10 +203,8 @@ class Group(click.Group):
 
 
 def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) -> None:
-    """Raise a UsageError where standard input is to be read twice, two outputs are one, or one is a source;
-    a ShelfError where a source is not there or an output cannot be written. Nothing is opened.
-
-    Both are names as the commands take them, None for none. Files are compared as files.
+    """Raise UsageError for standard input read twice, one file for two outputs or for source and output;
+    ShelfError for a missing source or an output that cannot be written. Nothing is opened.
     """
     read = [name for name in sources if name is not None]
     if read.count("-") > 1:

@@ -65,9 +65,8 @@ class Device:
         bus.connect(self.CODE, self)
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
-        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer.
-
-        IOP1 may only test the flag: a loop that only tests is passed over until a flag changes.
+        """Take pulse IOP1, IOP2 or IOP4 (1, 2, 4) at tick `now`; return the answer. IOP1 may only test the
+        flag, so that loops that only test can be skipped.
         """
         raise NotImplementedError
 
@@ -153,10 +152,8 @@ class Bus:
             device = device.behind
 
     def connect(self, code: int, device: Device) -> None:
-        """Connect `device` under `code`, in front of those already there.
-
-        Raises ValueError for a code to which no device can answer, if the device is connected, and if another
-        one answers to that code.
+        """Connect `device` under `code`, in front of the others. Raises ValueError for an impossible or used
+        code.
         """
         if not 0o01 <= code <= 0o77:
             raise ValueError(f"device code {code:o}: 01 to 77 are allowed")

@@ -87,11 +87,8 @@ def until_stopped(
     stops: Callable[[], bool] | None = None,
     look: Callable[[float], None] | None = None,
 ) -> None:
-    """Undo as far as the last of what `until_left` and `until_written` go to, for anything that is `watched`.
-
-    `stops` is asked where a run would have stopped, and tells whether that counts. `look` is called as the
-    search goes on, with the part of the history that it has searched, 0 to 1; if it raises, the search ends
-    and the machine stands where it stood.
+    """Undo to the last breakpoint or watched write at which `stops` holds; `look` is told the part searched,
+    0 to 1, and may raise to leave the machine as it was.
     """
 
     def step(machine: Machine, clock: int) -> list[int]:

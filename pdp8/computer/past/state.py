@@ -97,12 +97,8 @@ def restore(
     media: Iterable[Medium] = (),
     known: Iterable[Peripheral] | None = None,
 ) -> Machine:
-    """Return the machine whose state `text` is; what the text does not name is as at power-up. Raises
-    StateError.
-
-    It has the new devices `fitted`, and those `known`, else those of devices.py, which the state names
-    besides. `media` are the reels that a state may name, besides those on `fitted`; these stay where it names
-    none.
+    """Return the machine of a saved state, with new devices `fitted`, the `known` ones that it names, and its
+    reels from `media`; missing fields are as at power-up. Raises StateError.
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
@@ -269,9 +265,9 @@ def _check(machine: Machine) -> None:
             raise StateError(f"the reader stands at frame {part.position} of a tape of {len(part.tape)}")
     p, waiting = machine.processor, machine.waiting
     if (p.next > INTERRUPT) != (machine.bus.in_break() is not None):
-        raise StateError("processor next: a data break is 4 to 6, and a device is breaking")
+        raise StateError("processor next: must be 4 to 6, as a device has a data break")
     if waiting.clock > p.clock or waiting.instructions > p.instructions:
-        raise StateError("waiting: its clock and instructions lie after those of the processor")
+        raise StateError("waiting: its clock and instructions must not exceed the processor's")
 
 
 def _short(value: object) -> str:

@@ -119,9 +119,8 @@ class Engine:
         self.plus = array("H", [i & 1 for i in range(256)])
 
     def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
-        """Run to tick `until`, to `last` instructions in all, until RUN goes off, the program waits for ever
-        or comes, after its first instruction, to one of the `breakpoints`, or from a JMS to one: only for
-        that return True.
+        """Run to tick `until`, to `last` instructions in all, to an endless wait or a stop; return True only
+        at one of the `breakpoints`, or after a JMS to one.
         """
         self._prepare(breakpoints)
         self.waiting.endless = False

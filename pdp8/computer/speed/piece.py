@@ -74,11 +74,8 @@ def execute(
     wall: int,
     limit: int,
 ) -> int:
-    """Execute from the `registers` PC, {L, AC} and time until time reaches `limit`; set them, and return the
-    operation that ended the piece.
-
-    A word from address `wall` on is not written: the piece ends before the instruction. The PC may end up to
-    two words past 7777.
+    """Execute from the `registers` PC, {L, AC} and time until `limit`, or before a write at `wall` or above;
+    set them and return the last operation. The PC may end up to two words past 7777.
     """
     pc = registers[0]
     lac = registers[1] & 0o17777

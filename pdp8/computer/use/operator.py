@@ -67,8 +67,8 @@ class Action(NamedTuple):
 
 
 class Loading(NamedTuple):
-    """A part of the boot: so many keys pressed, or a tape of so many `frames`, `sections` and `words` read in
-    `seconds`; so many other words of the tape are `missing` in core, as where the loader itself stands.
+    """One step of booting: keys pressed, or a tape's `frames`, `sections`, `words` and `seconds`; `missing`
+    words of the tape are not in core.
     """
 
     what: str
@@ -194,10 +194,8 @@ class Operator:
     def boot(
         self, loader: bytes, program: bytes, name: str = "program", force: bool = False
     ) -> Iterator[Loading]:
-        """Load `program`, a BIN or RIM tape, from cold through the Teletype; `loader` is BIN's RIM tape.
-
-        Yields each step as it is done. Leaves the machine standing still, the reader empty. Raises LoadError
-        where a loader ends as it should not; with `force` a wrong checksum or a missing end is passed over.
+        """Load `program`, a BIN or RIM tape, from cold by `loader`, BIN's RIM tape; yield each step. Raises
+        LoadError if a loader fails; `force` accepts a wrong checksum or a missing end.
         """
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
@@ -221,11 +219,8 @@ class Operator:
         return self._read(f"{name} read by RIM", began, words)
 
     def read_bin(self, tape: bytes, name: str = "tape", force: bool = False) -> Loading:
-        """Let the BIN loader read `tape` from the Teletype, with CONT for each section after the first.
-
-        Raises LoadError unless the loader halts after each with AC = 0; it cannot where the tape has no
-        trailer, and STOP is pressed. With `force` AC may be anything, and
-        STOP is pressed where the tape has run out and the loader has not halted.
+        """Let BIN read `tape`, with CONT for each further section. Raises LoadError unless it halts with AC =
+        0 each time; with `force` the tape may run out or have a wrong checksum.
         """
         sections, words, end, halts = _bin_sections(tape)
         tape = tape[:end]

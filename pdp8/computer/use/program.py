@@ -75,12 +75,8 @@ class Program:
 
 
 def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:
-    """Return the program of a tape's frames, called `name`; with `force` a damaged tape too.
-
-    `dialect` is that of a source: pal3, pal8, or auto, which finds PAL8 by what it has.
-
-    Raises WorkError, with the name, saying what is wrong and where: source with errors, a damaged tape, a
-    field that a machine of 4K lacks, what is no program.
+    """Return the program of a tape's frames, with `force` a damaged one too; `dialect` is pal3, pal8 or auto.
+    Raises WorkError, with `name`, for errors, damage, other fields, or no program.
     """
     frames, note = dump.unspelled(frames)
     code = codes.recognise(frames)
@@ -127,7 +123,7 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
         )
         other = [each.headline for each in assembly.diagnostics if each.code == DIALECT and not each.error]
         report = "\n".join([*errors[:_SHOWN], *more, *other])
-        raise WorkError(f"not loaded, it has {counted(len(errors), 'errors')}\n{report}")
+        raise WorkError(f"not loaded: {counted(len(errors), 'errors')}\n{report}")
     for address in assembly.words:
         if address > 0o7777:
             raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
@@ -157,7 +153,7 @@ def _bin(frames: bytes) -> _Loaded:
     damage = binary.find_damage(reading)
     for field, frame in fields.items():
         if field and damage is None:
-            damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, field 0 alone", frame)
+            damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, only field 0", frame)
     return {address: word for address, word in words.items() if address <= 0o7777}, damage
 
 

@@ -122,7 +122,7 @@ export class Exercises {
     const tables = this.all.get(name);
     const lines = [...find("asked").querySelectorAll("input")].map((input) => `${input.name}: ${input.value}\n`);
     const called = sheet ? name : editor.name;
-    put(find("marks"), html`<p>It is tried …</p>`);
+    put(find("marks"), html`<p>Marking …</p>`);
     try {
       const { right, points, of, said, wrong } = await apart.ask("marks", [tables, called, sheet ? lines.join("") : editor.text], SECONDS);
       this.marks.keep(name, JSON.stringify([points, of, right]));

@@ -76,6 +76,6 @@ SCENES: dict[str, tuple[int, Callable[[ImageDraw.ImageDraw], None], str]] = {
     "film": (215, _film, _EDGES),
     "a desk": (150, _desk, _EDGES),
     "a strip of a perforated sheet": (60, _perforated, "the holes are all of one size"),
-    "five-channel tape": (60, _five_channels, "a five-channel tape: tape of eight channels alone is read"),
+    "five-channel tape": (60, _five_channels, "a five-channel tape: only tape of eight channels is read"),
 }
 """By each name how light its ground is, what is drawn on it, and why it is refused."""

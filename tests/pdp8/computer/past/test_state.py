@@ -145,8 +145,8 @@ OBJECT, OCTAL, NUMBER = (
         (given(processor={"next": 7}), f"processor next: 7 {NUMBER} 0 to 6"),
         (given(processor="x" * 70), f'processor: "{"x" * 59} {OBJECT}'),
         (given(waiting={"left": {"ac": "0000"}}), "waiting left ac: the fields are pc sr"),
-        (given(waiting={"clock": 5}), "waiting: its clock and instructions lie after those of the processor"),
-        (given(waiting={"instructions": 5}), "waiting: its clock and instructions lie after"),
+        (given(waiting={"clock": 5}), "waiting: its clock and instructions must not exceed the processor's"),
+        (given(waiting={"instructions": 5}), "waiting: its clock and instructions must not exceed"),
     ],
 )
 def test_what_is_no_state_is_refused_by_its_place(text: str, message: str) -> None:

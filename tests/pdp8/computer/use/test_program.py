@@ -30,12 +30,12 @@ def test_a_rim_tape_is_its_own_tape() -> None:
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        (b"*200\n\tJMP XX\n$\n", "x: not loaded, it has 1 error\nx:2:"),
+        (b"*200\n\tJMP XX\n$\n", "x: not loaded: 1 error\nx:2:"),
         (b"*200\nFIELD 1\n*0\n1\n$\n", "x: address 10000: a PDP-8/L with 4K of core ends at 07777"),
         (bytes(9), "x: the program tape is blank"),
         (b"$\n", "x: no word in it goes into core"),
         (shelf.read_bundled("circle.eia"), "x: neither PAL source nor a BIN or RIM tape"),
-        (binary.encode({0o10200: 1}), "x: frame 64: field 1: this PDP-8/L has 4K of core, field 0 alone"),
+        (binary.encode({0o10200: 1}), "x: frame 64: field 1: this PDP-8/L has 4K of core, only field 0"),
         (binary.encode(WORDS)[:70], "x: frame 70: the tape is cut short: it has no trailer"),
     ],
 )
@@ -56,7 +56,7 @@ def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
     with pytest.raises(WorkError) as refused:
         program.read(b"*200\n" + b"\tJMP 400\n" * 120 + b"$\n", "x", dialect="pal3")
     said = str(refused.value)
-    assert said.startswith("x: not loaded, it has 120 errors\nx:2:2: ")
+    assert said.startswith("x: not loaded: 120 errors\nx:2:2: ")
     assert said.count("JMP 400") == 3
     *_, more, other = said.splitlines()
     assert more == "and 117 more: `pal` shows them, with its notes"

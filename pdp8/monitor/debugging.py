@@ -48,10 +48,8 @@ def _examine(monitor: Monitor, place: str) -> None:
             if core[address]:
                 monitor.say(monitor.listing.line(address, core[address]))
         monitor.say("all other words are 0000")
-    elif lacks := _LACKS.get(place.lower()):
-        raise MonitorError(f"{place}: {lacks}")
     else:
-        for address in monitor.range(place):
+        for address in _words(monitor, place):
             monitor.say(monitor.listing.line(address, core[address]))
 
 
@@ -60,9 +58,7 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     if is_register(monitor, place):
         set_(monitor, place, *some((word, *more), "a word", 1, 1))
         return
-    if lacks := _LACKS.get(place.lower()):
-        raise MonitorError(f"{place}: {lacks}")
-    addresses, words = monitor.range(place), [octal(each) for each in (word, *more)]
+    addresses, words = _words(monitor, place), [octal(each) for each in (word, *more)]
     if len(addresses) > 1 and more:
         raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
     if len(addresses) == 1:
@@ -71,6 +67,13 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         raise MonitorError(f"{place}: {len(words)} words go beyond {monitor.machine.memory - 1:o}")
     for address, each in zip(addresses, cycle_of(words), strict=False):
         monitor.machine.core[address] = each
+
+
+def _words(monitor: Monitor, place: str) -> range:
+    """Return the addresses of a place. Raises MonitorError, also for a register that this machine lacks."""
+    if lacks := _LACKS.get(place.lower()):
+        raise MonitorError(f"{place}: {lacks}")
+    return monitor.range(place)
 
 
 def set_(monitor: Monitor, name: str, value: str) -> None:
