@@ -528,7 +528,8 @@ def read(
         command.put(page, correction.page(reading))
     if not reading.tape:
         shows = "" if page else "; --page FILE shows what was seen"
-        raise TapeError("\n".join(f"{name}: {strip.why}{shows}" for name, strip in reading.strips))
+        why = [f"{name}{correction.said_place(strip)}: {strip.why}{shows}" for name, strip in reading.strips]
+        raise TapeError("\n".join(why))
     ctx.exit(0 if strips or len(reading.order) == len(reading.strips) else 1)
 
 

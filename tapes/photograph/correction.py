@@ -122,8 +122,8 @@ class Reading:
         for number, (name, strip) in enumerate(self.strips, 1):
             if number not in map(abs, self.order):
                 why = f": {strip.why}" if strip.why else ""
-                place = f", from {_place(strip)}," if strip.ends else ""
-                yield f"strip {number} of {len(self.strips)} in {name}{place} is left out{why}"
+                of = f"strip {number} of {len(self.strips)} in {name}{said_place(strip)}"
+                yield f"{of}{',' * bool(strip.ends)} is left out{why}"
         if self.no_tape:
             shown = [f"{_place(strip)} in {name}" for name, strip in self.no_tape[:_SHOWN]]
             more = [f"{len(self.no_tape) - _SHOWN} more"] * (len(self.no_tape) > _SHOWN)
@@ -136,6 +136,11 @@ class Reading:
             said = f"{self.proposed[number]:03o} by {self.proposed_by}; {frame.holes:03o} was seen"
             return f"frame {number}: {said}: {place}"
         return f"frame {number}: {frame.holes:03o} is doubtful: {place}"
+
+
+def said_place(strip: Strip) -> str:
+    """Where a row lies in its picture, or "" if that is not known."""
+    return f", from {_place(strip)}" if strip.ends else ""
 
 
 def _place(strip: Strip) -> str:
@@ -161,7 +166,7 @@ def page(read: Reading) -> str:
             "picture": of_picture[number - 1],
             "read": number not in left_out,
             "why": read.strips[number - 1][1].why,
-            "ends": read.strips[number - 1][1].ends,
+            "ends": () if frames else read.strips[number - 1][1].ends,
             "frames": [_shown(read, at, frame) for at, frame in frames],
         }
         for number, frames in (*read.runs, *unread)

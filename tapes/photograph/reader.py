@@ -88,7 +88,7 @@ class Strip(NamedTuple):
     off: tuple[bool, bool] = (False, False)
     why: str = ""
     ends: tuple[tuple[int, int], ...] = ()
-    """Of a row that is not read: the places of its first hole and its last."""
+    """The places of its first hole and its last, if they are known."""
     tape: bool = True
     """False for a row too short to be called a tape."""
 
@@ -173,7 +173,7 @@ def _strips(light: Array) -> tuple[list[Strip], list[Strip], str]:
             why.append(str(error))
             refused.append((row, str(error)))
             continue
-        found.append((tape.sheet, row.places, _strip(pictures, tape)))
+        found.append((tape.sheet, row.places, _strip(pictures, tape)._replace(ends=_ends(row))))
         why += [strip.why for _, _, strip in found[-1:] if not strip.frames]
     said = why[0] if why else "no row of small round holes was found"
     kept: list[tuple[Sheet, Strip]] = []
@@ -190,9 +190,12 @@ def _unread(refused: list[tuple[sprockets.Row, str]], sheets: list[Sheet]) -> li
         beside = any(_distance(row, other) < _NEAR for other, _ in rows)
         if beside or any(sheet.covers(row.places) for sheet in sheets):
             continue
-        ends = tuple((round(float(x)), round(float(y))) for x, y in row.places[[0, -1]])
-        rows.append((row, Strip([], why=why, ends=ends, tape=bool(row.seen.sum() >= LONG))))
+        rows.append((row, Strip([], why=why, ends=_ends(row), tape=bool(row.seen.sum() >= LONG))))
     return [strip for _, strip in rows]
+
+
+def _ends(row: sprockets.Row) -> tuple[tuple[int, int], ...]:
+    return tuple((round(float(x)), round(float(y))) for x, y in row.places[[0, -1]])
 
 
 def _distance(row: sprockets.Row, other: sprockets.Row) -> float:

@@ -129,7 +129,8 @@ def test_a_strip_that_cannot_be_read_is_left_out_and_shown(shell: Shell, tmp_pat
     (tmp_path / "bad.jpg").write_bytes(camera.develop(bad, Shot()))
     done = shell("pdp8 tape read both.jpg -o found.asc --page look.html")
     assert (done.returncode, (tmp_path / "found.asc").read_bytes()) == (1, tape)
-    assert b"strip 2 of 2 in both.jpg is left out: 34 of 34 frames are doubtful" in done.stderr
+    assert b"strip 2 of 2 in both.jpg, from " in done.stderr
+    assert b", is left out: 34 of 34 frames are doubtful" in done.stderr
     assert [len(strip["frames"]) for strip in shown((tmp_path / "look.html").read_text())[1]] == [40, 40]
     assert shell("pdp8 tape read both.jpg --strips 2,1 -o found.asc").returncode == 0
     assert (tmp_path / "found.asc").read_bytes()[40:] == tape
