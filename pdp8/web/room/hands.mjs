@@ -40,6 +40,11 @@ export class Hands {
     this.buttons.forEach(({ dataset }, index, all) => (all[index].ariaCurrent = (dataset.key ? dataset.key === due : bits & (0o4000 >> index)) ? "step" : null));
   }
 
+  /** Scroll to what is to be touched. */
+  seek() {
+    this.place.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+  }
+
   /** Say how the switches stand. */
   mark(/** @type {Processor} */ { sr, mem_prot: protection, sing_step: step }) {
     const set = `${sr} ${protection} ${step}`;

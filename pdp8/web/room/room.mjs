@@ -176,7 +176,7 @@ export class Room {
     hands.due(key, switches < 0 ? 0 : switches ^ sr);
     if (say !== this.asked) {
       place.querySelector(".told").scrollTop = 0;
-      hands.place.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+      hands.seek();
     }
     this.asked = say;
     const begins = waits && !this.waits;
@@ -480,10 +480,12 @@ export class Room {
   /** Lay the buttons over the panel that is drawn. */
   #overlay(/** @type {Place} */ { x, y }, /** @type {any} */ shown) {
     const { camera: { origin, scale }, hands } = this;
-    if (this.shown !== shown) hands.lay(shown);
+    const other = this.shown !== shown;
+    if (other) hands.lay(shown);
     this.shown = shown;
     Object.assign(hands.place.style, { left: `${origin.x + x * scale}px`, top: `${origin.y + y * scale}px`, width: `${shown.w * scale}px`, height: `${shown.h * scale}px` });
     hands.mark(this.bench.machine.processor);
+    if (other) hands.seek();
   }
 
   #say() {

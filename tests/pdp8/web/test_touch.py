@@ -12,6 +12,13 @@ from tests.pdp8.web.browsing import Browser, Page, click, until, visit
 _DESK = (1366, 768)
 _SMALL = [(390, 844), (320, 568), (600, 300), (300, 180), (1920, 1080)]
 _PROCESSOR = "workbench.machine.processor"
+_RINGED = """(() => {  // what is ringed is in sight, without any scrolling
+  const ringed = [...document.querySelectorAll("#room .hand [aria-current]")];
+  return ringed.length > 0 && ringed.every((each) => {
+    const { left, right, top, bottom } = each.getBoundingClientRect();
+    return document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === each;
+  });
+})()"""
 _KEYS = ["start", "load add", "dep", "exam", "cont", "stop", "sing step", "mem prot"]
 _SHORT = {"start": "s", "load add": "l", "dep": "d", "exam": "e", "cont": "c", "stop": "t"}
 
@@ -68,6 +75,7 @@ def _until_it_waits(page: Page, do: Callable[[Page, str], None], most: int) -> N
         said = _said(page)
         if "Type your name" in said:
             return
+        until(page, _RINGED)
         if "RUN is lit" in said:
             lit = page.evaluate(f"{_PROCESSOR}.run") == 1
             assert lit or _said(page) != said  # it may have stopped by itself meanwhile
@@ -197,3 +205,56 @@ def test_the_lamps_are_heard(browser: Browser, file: Path) -> None:
         assert "memory address 0200" in page.locator("#room .lamps").inner_text()
         page.keyboard.press("w")
         assert page.get_by_role("button", name="Lamps in words").get_attribute("aria-pressed") == "false"
+
+
+def _offers(page: Page, words: str, *labels: str) -> None:
+    """Wait until the desk says the words, and beside them these controls."""
+    until(page, f"document.querySelector('#next span').textContent.includes({words!r})")
+    assert page.locator("#next [data-for]").all_inner_texts() == list(labels)
+
+
+def test_what_the_desk_says_next(page: Page, browser: Browser, file: Path) -> None:
+    """In each state of the machine every control that stands beside the sentence does what it says."""
+
+    def press(label: str, on: Page = page) -> None:
+        on.locator("#next").get_by_role("button", name=label, exact=True).click()
+
+    waits = "It waits for a key, or a tape in the reader, at 0200 (KSF)."
+    waiting = ("Type a character", "Choose a tape", "STOP")
+    stopped = ("START", "CONT", "Assemble and run")
+    _offers(page, "Its core memory is empty.", "Assemble and run")
+    page.locator("#source").fill("*200\n\tKSF\n\tJMP .-1\n\tKRB\n\tTLS\n\tHLT\n$\n")
+    press("Assemble and run")
+    _offers(page, waits, *waiting)
+    press("STOP")
+    _offers(page, "CONT goes on.", *stopped)
+    press("CONT")
+    _offers(page, waits, *waiting)
+    press("Type a character")
+    page.keyboard.type("A")
+    _offers(page, "HLT at 0204. START begins at 0205", *stopped)
+    until(page, "document.querySelector('#paper pre').textContent.endsWith('A')")
+    click(page, "#computer [data-key='sing step']")
+    _offers(page, "START begins at 0205, CONT does one cycle.", *stopped)
+    for key, address in (("START", 0o205), ("CONT", 0)):  # AND 0: fetched, then executed
+        before = page.evaluate(f"{_PROCESSOR}.clock")
+        press(key)
+        found = page.evaluate(f"[{_PROCESSOR}.clock - {before}, {_PROCESSOR}.ma, {_PROCESSOR}.pc]")
+        assert found == [32, address, 0o206]
+    click(page, "#computer [data-key='sing step']")
+    press("Assemble and run")
+    _offers(page, waits, *waiting)
+    press("Choose a tape")
+    assert page.evaluate("document.activeElement.id") == "shelf"
+    page.locator("#shelf").select_option("circle.asc")
+    _offers(page, "HLT at 0204.", *stopped)
+    click(page, "#lever")
+    press("Assemble and run")
+    _offers(page, waits, "Type a character", "Lever to START", "STOP")
+    press("Lever to START")
+    _offers(page, "HLT at 0204.", *stopped)
+    with visit(browser, f"{file.as_uri()}?embed=panel#workbench") as panel:
+        _offers(panel, "Its core memory is empty.", "Toggle in the RIM loader", "Assemble and run")
+        press("Toggle in the RIM loader", panel)
+        assert panel.locator("#drill").get_attribute("aria-pressed") == "true"
+        assert panel.locator("#card .now").is_visible()
