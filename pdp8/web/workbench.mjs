@@ -403,7 +403,7 @@ export class Bench {
     this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
     this.editor.run();
     this.editor.enter();
-    for (const place of [find("paper"), find("gutter")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
+    for (const place of [find("paper"), find("gutter"), document.querySelector("#gutter .line")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
   }
 }
 

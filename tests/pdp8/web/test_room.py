@@ -143,9 +143,17 @@ def test_the_switches_are_taken_and_given_back(room: Page) -> None:
     assert room.evaluate("[workbench.machine.ac, workbench.machine.processor.sr]") == before
 
 
-def test_a_program_is_written(room: Page) -> None:
-    """hello.pal runs on the desk, and what it prints is there; by the button one is in the room again."""
+@pytest.mark.parametrize("size", [(1366, 768), (390, 844), (600, 300)])
+def test_a_program_is_written(room: Page, size: tuple[int, int]) -> None:
+    """hello.pal runs on the desk, its first instruction in sight, and what it prints is there; by the button
+    one is in the room again.
+    """
+    room.set_viewport_size({"width": size[0], "height": size[1]})
     click(room, "#write")
+    first = room.locator(".typed pre .known", has_text="CLA").first.bounding_box()
+    assert first
+    there = "([x, y]) => document.elementFromPoint(x, y)?.id"
+    assert room.evaluate(there, [first["x"] + 2, first["y"] + first["height"] - 2]) == "source"
     until(room, "workbench.machine.processor.run && !workbench.afternoon.on")
     until(room, "document.querySelector('#paper pre').textContent.includes('HELLO')")
     assert room.evaluate("document.activeElement.id") == "source"
