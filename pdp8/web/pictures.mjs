@@ -11,8 +11,8 @@ const QUICK = 1000 / 20; // and where more passes
 export const READABLE = 250; // ms between two writings of what runs faster than it can be read
 
 export class Pictures {
-  /** `show(milliseconds, now)` shows what has changed in that time; the row goes on while it returns true. */
-  constructor(/** @type {(milliseconds: number, now: number) => boolean} */ show, speed = Infinity) {
+  /** `show(milliseconds)` shows what has changed in that time; the row goes on while it returns true. */
+  constructor(/** @type {(milliseconds: number) => boolean} */ show, speed = Infinity) {
     this.speed = speed; // how many times as fast as it was
     this.show = show;
     this.running = false;
@@ -40,7 +40,7 @@ export class Pictures {
   #picture(/** @type {number} */ now) {
     const passed = Math.min(now - this.before, LONGEST);
     this.before = now;
-    this.running = this.show(passed, now) && this.running;
+    this.running = this.show(passed) && this.running;
     if (this.running) this.#wait();
   }
 }

@@ -25,7 +25,7 @@ export class Clock {
     this.glimpse = new Glimpse();
     this.due = 0; // ticks that have passed in slow motion and are not yet run
     this.measured = 0; // how many times as fast as it was the machine has run
-    this.pictures = new Pictures((passed, now) => this.#picture(passed, now), 1);
+    this.pictures = new Pictures((passed) => this.#picture(passed, performance.now()), 1);
     document.addEventListener("visibilitychange", () => (document.hidden ? this.#leave() : this.#return()));
   }
 
@@ -70,7 +70,9 @@ export class Clock {
     this.wake();
   }
 
-  /** Show what happens in some milliseconds; return whether it goes on. */
+  /** Show what happens in some milliseconds; return whether it goes on. The time from `now` on counts, not from the frame's
+   *  beginning: where it is drawn slowly nothing would happen.
+   */
   #picture(/** @type {number} */ passed, /** @type {number} */ now) {
     const { afternoon, machine } = this.bench;
     if (afternoon.on && !afternoon.playing) return false;
