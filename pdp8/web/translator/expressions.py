@@ -699,15 +699,15 @@ class Expressions(Types):
                 if not isinstance(inner.node, ast.AnnAssign):
                     return self._as_value(node, inner)
                 return f"$.{name}"
-            return f"{self._dotted(node, name)}"
+            return f"{self.dotted(node, name)}"
         method = self.found(node)
         if method and isinstance(method.node, ast.FunctionDef) and not method.is_property:
             if of and of.is_class:
                 if "staticmethod" not in map(leaf, method.node.decorator_list):
                     self.fail(node, "a method of a class as a value", "a lambda")
-                return self._dotted(node, name)
+                return self.dotted(node, name)
             return f'$.bound({self.e(value)}, "{member(name)}")'
-        return self._dotted(node, name)
+        return self.dotted(node, name)
 
     def _indexed(self, value: ast.expr, index: ast.expr) -> str:
         kind, text = self.known(value), self.e(value)
@@ -1000,11 +1000,11 @@ class Expressions(Types):
                 self.fail(node, f"a call of {kind}", "an annotation")
             if node.keywords:
                 self.fail(node, "keywords for a function of unknown parameters", "them by their places")
-            return f"{self._dotted(function, name)}({self._arguments(node, None)})"
+            return f"{self.dotted(function, name)}({self._arguments(node, None)})"
         if found.is_class and found.is_enum:
             self.fail(node, "a member of an enumeration by its value")
         new = "new " if found.is_class else ""
-        return f"{new}{self._dotted(function, name)}({self._arguments(node, found)})"
+        return f"{new}{self.dotted(function, name)}({self._arguments(node, found)})"
 
     def _replaced(self, node: ast.Call) -> str:
         of = node.args[0] if node.args else node.func.value  # type: ignore[attr-defined]
@@ -1018,7 +1018,7 @@ class Expressions(Types):
         text = (f"{keyword.arg}: {self.e(keyword.value)}" for keyword in node.keywords)
         return f"$.replaced({self.e(of)}, {{ {', '.join(text)} }})"
 
-    def _dotted(self, node: ast.expr, name: str) -> str:
+    def dotted(self, node: ast.expr, name: str) -> str:
         """Return a name, or a member of what is before it."""
         if isinstance(node, ast.Name):
             return named(name)
@@ -1033,7 +1033,7 @@ class Expressions(Types):
         if of and of.is_class and isinstance(node, ast.Name):
             return named(node.id)
         if of and of.is_class and isinstance(node, ast.Attribute):
-            return self._dotted(node, node.attr)
+            return self.dotted(node, node.attr)
         return self.e(node)
 
     def _library(self, node: ast.Call, found: Found) -> str:
@@ -1291,7 +1291,7 @@ class Expressions(Types):
                 self.fail(
                     node, f"isinstance({kind}, {name}) is not to be told in JavaScript", "an annotation"
                 )
-            texts.append(named(name) if ours else f"$.{'list' if name == 'tuple' else name}")
+            texts.append(self.dotted(each, name) if ours else f"$.{'list' if name == 'tuple' else name}")
         return (
             f"$.isinstance({self.e(value)}, {texts[0] if len(texts) == 1 else '[' + ', '.join(texts) + ']'})"
         )

@@ -189,6 +189,8 @@ class Writer(Statements):
         return [*lines, "}", *after]
 
     def _base(self, node: ast.expr) -> str:
+        if not isinstance(node, ast.Name):
+            self.fail(node, "such a base class", "its own name")
         found = self.program.find(self.module, leaf(node))
         if found and found.is_class:
             return f"$.{leaf(node)}" if found.module.table else named(leaf(node))

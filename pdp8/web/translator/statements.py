@@ -502,7 +502,7 @@ class Statements(Expressions):
             found = self.found(each)
             if not found or not found.is_class:
                 self.fail(each, f"the table of what may be used has no error {leaf(each)}")
-            texts.append(f"$.{leaf(each)}" if found.module.table else named(leaf(each)))
+            texts.append(f"$.{leaf(each)}" if found.module.table else self.dotted(each, leaf(each)))
         return f"$.isinstance($e, {texts[0] if len(texts) == 1 else '[' + ', '.join(texts) + ']'})"
 
     def _with(self, context: ast.expr, body: list[ast.stmt]) -> list[str]:

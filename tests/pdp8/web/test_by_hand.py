@@ -9,6 +9,17 @@ import pytest
 from pdp8.web import translator
 from tests.pdp8.web import node
 
+_FAULTS = """
+import { Machine } from "../computer/machine.mjs";
+// @ts-expect-error: an attribute that was renamed
+export const ac = new Machine().accumulator;
+// @ts-expect-error: a method that is missing
+new Machine().halt();
+// @ts-expect-error: a class as a function
+Machine();
+// @ts-expect-error: an end that may be none
+"".slice(0, new Machine().recorder);
+"""
 TOOLS = node.HOUSE / "tests" / "node"
 
 pytestmark = [
@@ -37,4 +48,5 @@ def test_types(tmp_path: Path) -> None:
     node.write(tmp_path, translator.declared(), ".d.mts")
     for name in ("tsconfig.json", "page.d.ts"):
         shutil.copy(TOOLS / name, tmp_path)
+    (tmp_path / "pdp8" / "web" / "faults.mjs").write_text(_FAULTS, encoding="utf-8")
     assert not _said("typescript/bin/tsc", folder=tmp_path)

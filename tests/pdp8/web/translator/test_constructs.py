@@ -26,6 +26,18 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
             assert other == one, f"{function.__name__}, value {number}"
 
 
+@needs_node
+def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
+    there = "class A(ValueError):\n    pass\n"
+    here = (
+        "from pal import there\ndef f(x: there.A | str) -> bool:\n"
+        "    try:\n        raise there.A('b')\n    except there.A:\n        return isinstance(x, there.A)\n"
+    )
+    modules = {"pal.there": ("there.py", there), "pal.here": ("here.py", here)}
+    write(tmp_path, translate(modules, {}, runtime()))
+    assert called(("pal/here", "f", "x"), folder=tmp_path) == [False]
+
+
 @pytest.mark.parametrize(
     ("source", "said"),
     [
@@ -44,6 +56,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
         ("def f(a: str) -> str:\n    return a[::-1]\n", "2: a slice by steps"),
         ("X = f'{1:<5}'\n", "1: no translation of the format"),
         ("def f(a: list[int]) -> None:\n    a[1:] = []\n", "2: no translation"),
+        ("class A(json.B):\n    pass\n", "1: such a base class"),
         ("def f(a: object) -> bool:\n    return isinstance(a, int | str)\n", "2: no translation"),
     ],
 )
