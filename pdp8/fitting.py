@@ -1,6 +1,6 @@
 """Devices by what `--device` calls them: a name, or a class in a file of one's own.
 
-    pdp8 run --device highspeed prog.pal        one of pdp8/computer/hardware/devices.py, or dectape
+    pdp8 run --device highspeed prog.pal        of pdp8/computer/hardware/devices.py, dectape, or of the rack
     pdp8 run --device clock.py:KW8 prog.pal
 
 A class of one's own is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE.
@@ -26,8 +26,12 @@ Devices = list[type[Peripheral]]
 def known() -> list[Peripheral]:
     """Return a device of every kind that has a name."""
     from pdp8.computer.dectape.tc08 import TC08  # for those who have one
+    from pdp8.computer.rack.df32 import DF32
+    from pdp8.computer.rack.kw8 import KW8
+    from pdp8.computer.rack.lp08 import LP08
+    from pdp8.computer.rack.pt08 import PT08
 
-    return [*one_of_each(), TC08()]
+    return [*one_of_each(), TC08(), KW8(), LP08(), PT08(), DF32()]
 
 
 @cache

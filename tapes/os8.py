@@ -11,7 +11,8 @@
 
 A text ends with ^Z; so does a BIN tape. Deleting, renaming and squeezing are OS/8's own work.
 
-Held against DIR, PIP and TYPE of OS/8 V3D themselves.
+Held against DIR, PIP and TYPE of OS/8 V3D themselves, and PIP of PS/8, whose handler of the Teletype types
+RUBOUT after a tab and NUL after a form feed beside.
 """
 
 import re

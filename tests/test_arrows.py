@@ -5,7 +5,7 @@
 Only `pdp8/cli`, `pdp8/replay`, `pdp8/thesis` and `pdp8/web` import across; nobody imports those but each
 other. `pdp8/computer` imports no front end, and its own folders import one way too:
 
-    hardware <- dectape <- speed <- machine, watch, stop, count <- past <- use
+    hardware <- dectape, rack <- speed <- machine, watch, stop, count <- past <- use
 
 `pdp8` itself names what a script uses, from wherever it is. The four libraries know no command line: they
 import neither click nor rich nor prompt_toolkit, open no file and print nothing.
@@ -29,7 +29,7 @@ ALLOWED = {
 }
 ACROSS = re.compile(r"(pdp8\.__main__|pdp8\.cli|pdp8\.replay|pdp8\.thesis|pdp8\.web)(\.|$)")
 COMPUTER = "pdp8.computer."
-FOLDERS = ("hardware", "dectape", "speed", "machine", "past", "use")
+FOLDERS = ("hardware", "dectape", "rack", "speed", "machine", "past", "use")
 """Of the computer: each imports only from itself and from those before it."""
 BESIDE_THE_MACHINE = ("watch", "stop", "count")
 

@@ -27,7 +27,7 @@ from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, rerun,
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
-from tapes.errors import called, naming
+from tapes.errors import WorkError, called, naming
 
 if TYPE_CHECKING:
     from pdp8.computer.hardware.fields import Values
@@ -113,6 +113,23 @@ class Options:
             needs="--dectape",
             help="Save the reel of drive N as the run ends; the image that was mounted stays.",
         ),
+    ]
+    disk: Annotated[
+        str | None,
+        option(
+            "--disk",
+            metavar="df32=FILE",
+            excludes="--restore",
+            help="Fit a DF32 with an image of one to four discs, 65,536 bytes each.",
+        ),
+    ]
+    save_disk: Annotated[
+        str | None,
+        option("--save-disk", metavar="df32=FILE", needs="--disk", help="Save the disk as the run ends."),
+    ]
+    printer: Annotated[
+        str | None,
+        option("--printer", type=Target("text"), help="Fit the line printer LP08; its text goes here."),
     ]
     keyboard: Annotated[
         bool,
@@ -288,6 +305,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
         stop = _run(options, machine, found, feed, failures)
     finally:
         _save_reels(options, machine, failures)
+        _save_others(options, machine, failures)
     if options.save is not None:
         from pdp8.computer.past import state
 
@@ -337,11 +355,14 @@ def _machine(options: Options, found: "Program | None") -> Machine:
         names.insert(0, "highspeed")
     if options.dectape and "dectape" not in names:
         names.append("dectape")
+    asked = {"df32": options.disk, "lp08": options.printer}
+    names += [name for name, given in asked.items() if given is not None and name not in names]
     devices = fitting.devices(names)
     if options.restore is None:
         machine = Machine(memory=MEMORY[options.memory])
         fitting.fit(machine, devices)
         _mount(options, machine.devices)
+        _fill_disk(options, machine)
     else:
         machine = _restored(options, devices)
     if machine.memory == MEMORY["32k"]:
@@ -556,6 +577,43 @@ def _mount(options: Options, devices: Sequence[Peripheral]) -> None:
         notes = mounted.mount(unit, name)
         if not options.quiet:
             command.say_of(name, notes)
+
+
+def _disk_file(given: str) -> str:
+    """Return the file of df32=FILE."""
+    name, _, file = given.partition("=")
+    if name != "df32" or not file:
+        raise click.UsageError(f"{given}: df32=FILE is expected, and there is no other disk.")
+    return file
+
+
+def _fill_disk(options: Options, machine: Machine) -> None:
+    """Put the image of --disk onto the DF32."""
+    if options.disk is None:
+        return
+    from pdp8.computer.rack.df32 import DF32
+
+    name = _disk_file(options.disk)
+    control = next(each for each in machine.devices if isinstance(each, DF32))
+    try:
+        control.content = shelf.read(name)
+    except ValueError as error:
+        raise WorkError(f"{name}: {error}") from error
+
+
+def _save_others(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
+    """Save the disk and the printer's text that were to be saved."""
+    if options.save_disk is None and options.printer is None:
+        return
+    from pdp8.computer.rack.df32 import DF32
+    from pdp8.computer.rack.lp08 import LP08
+
+    for device in machine.devices:
+        with _noted(failures):
+            if isinstance(device, DF32) and options.save_disk is not None:
+                command.put(_disk_file(options.save_disk), device.content)
+            elif isinstance(device, LP08) and options.printer is not None:
+                command.put(options.printer, device.paper)
 
 
 def _save_reels(options: Options, machine: Machine, failures: list[ShelfError]) -> None:

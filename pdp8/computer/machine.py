@@ -117,7 +117,7 @@ class Machine:
     def _connect(self, device: Peripheral) -> None:
         device.connect(self.bus)
         self.devices.append(device)
-        if isinstance(device, Teletype):
+        if isinstance(device, Teletype) and device.CODE == Teletype.CODE:
             self.teletype = device
         elif isinstance(device, HighSpeed):
             self.highspeed = device

@@ -37,10 +37,12 @@ def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | 
     """Yield blocks and minutes, the parts of the machine time, and the minutes at another feed."""
     minutes, times = afternoon.minutes, afternoon.path.times
     yield "blocks", said.blocks, f"{len(afternoon.path)}"
-    for name, own in minutes.items():
-        if name not in ("punch", "translate", "cut"):
-            yield f"minutes in FORTRAN: {name}", None, f"{own:.1f}"
+    before = {name: own for name, own in minutes.items() if name not in ("punch", "translate", "cut")}
+    for name, own in before.items():
+        yield f"minutes: {name}", None, f"{own:.1f}"
     yield "minutes to punch", said.punch, f"{minutes['punch']:.1f}"
+    if before:
+        yield "minutes until it is punched", said.punch, f"{minutes['punch'] + sum(before.values()):.1f}"
     yield "minutes to translate", said.translate, f"{minutes['translate']:.1f}"
     yield "minutes to machine a pass", said.cut, f"{minutes['cut']:.1f}"
     yield "  of these reading the tape", said.reading, f"{times.reading / 60:.1f}"

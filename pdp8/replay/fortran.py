@@ -41,6 +41,8 @@ _PAUSE: Final = 0.5
 _LOADING: Final = 20
 """Seconds after which PUNCH goes ON: the program is being loaded, and prints nothing yet."""
 _CTRL_Z: Final = "\x1a"
+_BOOTED: Final = 20
+"""Seconds after which a tape that has not booted never will."""
 _DOT: Final = "\r\n."
 """What PS/8 types when a program has ended."""
 
@@ -77,7 +79,7 @@ class Session:
     def boot(self) -> Iterator[None]:
         """Boot PS/8 from drive 0; loading its bootstrap takes no time."""
         reels.boot(self.machine)
-        yield from self.until(".")
+        yield from self.until(".", _BOOTED)
 
     def type(self, line: str, prompt: str = "", ended: str = "\r") -> Iterator[None]:
         """Type a line, and run until the program has typed `prompt` and waits."""
@@ -86,9 +88,10 @@ class Session:
         if prompt:
             yield from self.until(prompt)
 
-    def until(self, prompt: str) -> Iterator[None]:
-        """Run until the program waits. Raises WorkError if it has not typed `prompt`."""
-        while (reason := self.machine.run(10).reason) is Reason.LIMIT:
+    def until(self, prompt: str, most: float = 7200) -> Iterator[None]:
+        """Run until the program waits. Raises WorkError if it has not typed `prompt` after `most` seconds."""
+        ends = self.machine.elapsed + most
+        while (reason := self.machine.run(10).reason) is Reason.LIMIT and self.machine.elapsed < ends:
             yield
         if not self.paper.endswith(f"\n{prompt}") and not self.paper.endswith(f"{_CTRL_Z}{prompt}"):
             last = self.paper[-60:].strip()
@@ -110,7 +113,7 @@ class Own(Afternoon):
         for at, words in reels.bootstrap().items():
             yield from self.operator.toggle(at, words)
         self.operator.begin(reels.BOOT)
-        yield from self.session.until(".")
+        yield from self.session.until(".", _BOOTED)
         self._done("PS/8 booted", "its dot")
         yield from self._enter(name)
         self._done("Source read", f"{len(lines_of(self.program))} lines into {name}.FT")
@@ -127,7 +130,8 @@ class Own(Afternoon):
             yield
         self._done("Loaded", "PUNCH ON")
         yield from self.session.until(".")
-        self.minutes["punch"] = self._done("Run", self._tear_off())
+        self._done("Run", self._tear_off())
+        self.minutes["punch"] = self.minutes.pop("Run")
         self.operator.stop()
 
     def _enter(self, name: str) -> Iterator[None]:
@@ -136,7 +140,8 @@ class Own(Afternoon):
         yield from self.session.type("R PIP", "*")
         yield from self.session.type(f"{name}.FT<TTY:", "")
         self.machine.run(PACE.mounting)
-        reader.load(ascii.encode(self.program + _CTRL_Z, fill=0))
+        tape = self.tapes[f"{name}.ft".lower()] = ascii.encode(self.program + _CTRL_Z, fill=0)
+        reader.load(tape)
         yield from self.session.until("*")
         reader.remove()
         yield from self.session.type("\x03", ".", ended="")
@@ -144,12 +149,11 @@ class Own(Afternoon):
     def _tear_off(self) -> str:
         """Remove the tape without the dot that PS/8 typed at its end; return its text."""
         tape = self.tapes[f"{self.part}.asc"] = self.machine.teletype.punch.tape[: -len(_DOT)]
-        printed = lines_of(ascii.decode(tape).replace(".", ""))
+        printed = lines_of(ascii.decode(tape).replace(".", "").lstrip("\n"))
         pairs = zip_longest(printed, lines_of(self.text))
         return f"{len(printed)} lines, {sum(one != two for one, two in pairs)} other than Toronto's"
 
-    def _done(self, name: str, outcome: str) -> float:
-        """Record an act; return the minutes it took."""
+    def _done(self, name: str, outcome: str) -> None:
+        """Record an act, and the minutes it took."""
         self._act(Kind.TERMINAL, name, f"PS/8 on the 8/L itself: {outcome}.", outcome)
         self.minutes[name] = self.acts[-1].seconds / 60
-        return self.minutes[name]

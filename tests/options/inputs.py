@@ -449,5 +449,9 @@ HIDDEN: Final = {
     "tape clean --accept": "the same",
     "tape read": "photographs take seconds each: tests/tapes/photograph",
     "vectors": "80 MB: tests/pdp8/vectors",
+    "run --disk": "needs a program for the disk: tests/pdp8/computer/test_rack.py",
+    "run --save-disk": "the same",
+    "run --printer": "needs a program that prints: tests/pdp8/computer/test_rack.py",
+    "replay --fortran": "needs DEC's tape of PS/8: tests/pdp8/replay/test_fortran.py",
 }
 """What cannot show, with the reason: a command, an option of it, or two."""

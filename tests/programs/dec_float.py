@@ -58,7 +58,7 @@ def _started(reel: dectape.Image) -> Machine:
 def record(reel: dectape.Image) -> bytes:
     """Return the results, five bytes each."""
     machine = _started(reel)
-    first = next(at for at in range(0o10000) if machine.core[at] == 0o2011 and machine.core[at + 3] == 0o2021)
+    first = next(at for at in range(0o10000) if machine.core[at] == 0o2014 and machine.core[at + 3] == 0o2024)
     pause, found = machine.pc, bytearray()
     for a, b in pairs():
         for at, number in ((0, a), (3, b), (21, a & ~SIGN)):

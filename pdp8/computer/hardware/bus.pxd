@@ -8,7 +8,7 @@ cdef int SKIP, CLEAR_AC, IOP1, IOP2, IOP4
 
 
 cdef class Device:
-    cdef public int code, flag, tested, enabled
+    cdef public int code, flag, iot, tested, enabled
     cdef public Device behind
     cdef public int64_t due
 

@@ -5,9 +5,10 @@
                     ◄──────────────────────────────────
                       SKIP, clear AC, data or-ed into AC; interrupt request
 
-A device sees three separate pulses and nothing of the instruction, so that every combined IOT works of
-itself. Its flag is its interrupt request, unless the device itself disables it. Between pulses a device knows
-the tick at which its flag changes next; it is brought up to date when its state is needed.
+A device sees three separate pulses, so that every combined IOT works of itself; where its gates need the
+instruction, `iot` has its last digit. Its flag is its interrupt request, unless the device itself disables
+it. Between pulses a device knows the tick at which its flag changes next; it is brought up to date when its
+state is needed.
 
 A BreakDevice moves words to and from core by data break, between two instructions:
 
@@ -54,6 +55,8 @@ class Device:
         self.behind: Device | None = None
         """The next device on the cable."""
         self.flag = 0
+        self.iot = 0
+        """The last digit of the instruction under way: which pulses it has."""
         self.tested = 0
         """Set by IOP1, until the bus forgets the tests."""
         self.due = NEVER
@@ -177,6 +180,7 @@ class Bus:
         device = self.device(word >> 3 & 0o77)
         if device is None:
             return lac
+        device.iot = word & 7
         if word & 1:
             device.tested = 1
             lac = _pulse(device, 1, lac, clock + IOP1)

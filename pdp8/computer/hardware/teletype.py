@@ -599,6 +599,6 @@ class Teletype:
         self.punch = self.transmitter.punch
 
     def connect(self, bus: Bus) -> None:
-        """Connect both interfaces to the bus, under the console's codes."""
-        bus.connect(0o04, self.transmitter)
+        """Connect both interfaces to the bus, under CODE and the next."""
+        bus.connect(self.CODE + 1, self.transmitter)
         bus.connect(self.CODE, self.receiver)

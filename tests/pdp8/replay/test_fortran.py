@@ -1,0 +1,54 @@
+"""The listings in DEC's 8K FORTRAN II: as source; run under PS/8 where PDP8_OS8 names a folder with it."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from pdp8 import shelf
+from pdp8.replay.fortran import Own, source
+from programs.parts import PARTS
+from tapes import dectape
+from tapes.errors import WorkError
+from tests.conftest import Call
+
+
+def test_the_three_changes_of_the_listing() -> None:
+    """No sequence number, remark or mark; labels in columns 1 to 5; WRITE; F-formats a column wider."""
+    lines = source(shelf.read("circle.for").decode()).splitlines()
+    assert lines[0] == "      A1=1019."
+    assert lines[24:31] == ["      WRITE (1,10) A1,A2,A3,A4".replace("A", letter) for letter in "ABCDEG"] + [
+        "10    FORMAT(1X,F6.0,F5.0,F6.0,F5.0)"
+    ]
+    assert lines[31] == "      AS=7."
+    assert "30    FORMAT(F4.0,F2.0,F6.0,F6.0,F4.0,F3.0)" in lines
+    assert lines[-2:] == ["105   STOP", "      END"]
+    assert all(line[:5].strip().isdigit() or line[:6] == " " * 6 for line in lines)
+
+
+def test_a_tape_that_does_not_boot_is_named() -> None:
+    day = Own("circle", dectape.blank(), lambda act: None)
+    with pytest.raises(WorkError, match=r"PS/8 on the DECtape is expected to type '\.'"):
+        for _ in day.through():
+            pass
+
+
+def test_only_a_listing_of_the_thesis_goes_to_fortran(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "reel.tu56").write_bytes(dectape.blank().content())
+    status, _, said = call("pdp8 replay drill --fortran reel.tu56")
+    assert (status, "--fortran: the thesis lists circle and ellipse; drill is ours." in said) == (2, True)
+
+
+@pytest.mark.slow("40 minutes of 1971, two minutes here")
+@pytest.mark.skipif("PDP8_OS8" not in os.environ, reason="PDP8_OS8 names no folder with a DECtape of PS/8")
+@pytest.mark.parametrize(("part", "blocks"), [("circle", 666), ("ellipse", 976)])
+def test_the_tape_is_torontos(part: str, blocks: int) -> None:
+    reel = Path(os.environ["PDP8_OS8"]) / "ps-8-master.tu56"
+    day = Own(part, dectape.decode(reel.read_bytes())[0], lambda act: None)
+    for _ in day.through():
+        pass
+    assert next(act.outcome for act in day.acts if act.name == "Run") == (
+        f"{blocks} lines, 0 other than Toronto's"
+    )
+    assert day.tapes[f"{part}.eia"] == shelf.read(f"{part}.eia")
+    assert day.text == PARTS[part].program()()
