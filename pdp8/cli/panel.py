@@ -8,6 +8,7 @@ import click
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import octal
 from pdp8.cli.shared.rules import option
+from pdp8.computer.hardware.extension import MEMORY
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.errors import WorkError
 
@@ -40,6 +41,13 @@ from tapes.errors import WorkError
 @option(
     "--cold", is_flag=True, needs="PROGRAM", help="Leave core empty: PROGRAM is a tape at hand, to be loaded."
 )
+@click.option(
+    "--memory",
+    type=click.Choice(["4k", "8k"]),
+    default="4k",
+    show_default=True,
+    help="Words of core; 8k comes with the memory extension MC8/L and its switches.",
+)
 def panel(
     program: str | None,
     reader: str | None,
@@ -48,6 +56,7 @@ def panel(
     drill: str | None,
     kiosk: bool,
     cold: bool,
+    memory: str,
 ) -> None:
     """Operate the PDP-8/L in the terminal: lamps, switches and keys, its Teletype and tapes.
 
@@ -78,7 +87,7 @@ def panel(
         raise WorkError(f"the panel needs Textual: {hint('panel')}")
     from pdp8.console.opening import opening
 
-    session, programs = opening(program, reader, start, cold)
+    session, programs = opening(program, reader, start, cold, memory=MEMORY[memory])
     if sr is not None:
         session.machine.sr = sr
     from pdp8.console.app import Room

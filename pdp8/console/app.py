@@ -27,7 +27,7 @@ from pdp8.console.lamps import LampRows
 from pdp8.console.pages import Card, Core, DrillCard, ListingPage, Page, Paper, frame
 from pdp8.console.session import Session, Tape
 from pdp8.console.strips import PunchStrip, ReaderStrip
-from pdp8.console.switches import KEYS, LOCKING, Key, Rocker, SwitchRegister
+from pdp8.console.switches import FIELDS, KEYS, LOCKING, Key, Rocker, SwitchRegister
 from pdp8.lessons.drill import Coach
 from tapes.errors import WorkError
 from tapes.quantities import duration
@@ -49,7 +49,11 @@ class PanelFace(Container, can_focus=True):
     """The panel itself; while it has the focus the keyboard's keys are its keys and switches."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        *(key for name, label, letter in KEYS for key in _letter(letter, f"app.key('{name}')", label, False)),
+        *(
+            key
+            for name, label, letter in KEYS + FIELDS
+            for key in _letter(letter, f"app.key('{name}')", label, False)
+        ),
         *(Binding(str(digit), f"app.dial({digit})", show=False) for digit in range(8)),
         Binding("left", "app.hand(-1)", show=False),
         Binding("right", "app.hand(1)", show=False),
@@ -199,6 +203,8 @@ class Room(App[None]):
 
     def action_key(self, name: str) -> None:
         """Press a key, or throw a locking switch."""
+        if not self.query(f"#{name}"):
+            return  # a field's switch where there is one field
         if self.coach is not None and name not in LOCKING and not self.coach.allows(name):
             return
         if name in LOCKING:

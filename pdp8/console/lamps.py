@@ -7,7 +7,7 @@
 Between two looks the lamps of a running machine change many thousand times; a filament shows the mean, and so
 do these.
 
-Not emulated: a filament's own slowness; EMA, which belongs to the memory extension.
+EMA is there with the memory extension. Not emulated: a filament's own slowness.
 """
 
 from typing import NamedTuple
@@ -16,6 +16,7 @@ from rich.style import Style
 from rich.text import Text
 
 from pal.isa import OPERATIONS
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.console.pages import Page
 
 ON, OFF = (255, 190, 92), (84, 66, 48)
@@ -70,7 +71,8 @@ class LampRows(Page):
     DEFAULT_CSS = "LampRows { height: 5; }"
 
     def look(self) -> object:
-        return self.session.brightness, self.session.machine.panel.lamps
+        panel = self.session.machine.panel
+        return self.session.brightness, panel.lamps, panel.ema
 
     def render(self) -> Text:
         """Draw the rows to the width there is."""
@@ -87,14 +89,19 @@ class LampRows(Page):
 
     def _word(self, number: int, room: Columns) -> Text:
         labels, field = _ROWS[number]
-        link = field == "ac"
-        row = Text().append(f"{labels[room.wide]:<{room.label - 4 * link}}", _LABEL)
-        if link:
-            row.append("L ", _FAINT).append(*lamp(self.session.brightness["link"][0])).append(" ")
+        beside = {"ac": ("L ", self.session.brightness["link"][0])}
+        if self.session.machine.memory > FIELD:
+            beside["ma"] = "EMA ", float(self.session.machine.panel.ema > 0)
+        name, lit = beside.get(field, ("", 0.0))
+        width = room.label - (len(name) + 2 if name else 0)
+        label = labels[room.wide]
+        row = Text().append(f"{label if len(label) < width else label.split()[-1]:<{width}}", _LABEL)
+        if name:
+            row.append(name, _FAINT).append(*lamp(lit)).append(" ")
         for bit, brightness in enumerate(self.session.brightness[field]):
             row.append(*lamp(brightness)).append(" " * (room.lamp - 1 + (bit % 3 == 2)))
-        running = self.session.machine.panel.lamps.run
-        row.append("     " if running else f"{getattr(self.session.machine, field):04o} ", _OCTAL)
+        lamps = self.session.machine.panel.lamps
+        row.append("     " if lamps.run else f"{getattr(lamps, field):04o} ", _OCTAL)
         for (name, *words), width in zip(_STATES[number], room.states, strict=True):
             row.append(*lamp(self.session.brightness[name][0]))
             row.append(f" {words[room.wide]:<{width}}", _LABEL)

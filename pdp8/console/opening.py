@@ -4,6 +4,7 @@ from collections.abc import Callable
 from time import perf_counter
 
 from pdp8 import shelf
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session, Tape
@@ -18,15 +19,16 @@ def opening(
     start: int = 0o200,
     cold: bool = False,
     clock: Callable[[], float] = perf_counter,
+    memory: int = FIELD,
 ) -> tuple[Session, list[Program]]:
     """Return the session and its listings' programs; `program` is in core and the PC at `start`, unless
-    `cold`; `reader` names a tape, `clock` gives real seconds. Raises WorkError for an unreadable file.
+    `cold`; `reader` names a tape, `clock` gives real seconds, `memory` is that of core. Raises WorkError for an unreadable file.
     """
     rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
     last = shelf.program(program) if program else shelf.bundled_program("eia.pal")
     label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
     tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
-    machine = Machine()
+    machine = Machine(memory=memory)
     session = Session(machine, [*tapes, *(Tape(name, shelf.read_bundled(name)) for name in DATA)], clock)
     if reader:
         session.tapes.append(Tape(reader, shelf.read(reader)))

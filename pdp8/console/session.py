@@ -168,7 +168,7 @@ class Session:
         self.machine.sr ^= 0o4000 >> bit
 
     def lock(self, switch: str) -> None:
-        """Throw `mem_prot` or `sing_step`, as Panel calls them, between two instructions."""
+        """Throw a locking switch, as Panel calls it, between two instructions."""
         panel = self.machine.panel
         if switch == "sing_step" and panel.lamps.run:
             self.machine.run(cycles=randrange(3))

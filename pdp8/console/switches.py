@@ -1,6 +1,7 @@
 """The switches under the lamps: twelve rockers of the switch register, and the keys.
 
     SWITCH REGISTER   ▀ ▄ ▀  ...   up is 1, under the lamp it sets; the hand's rocker is red
+    DATA FIELD  INST FIELD  with the memory extension
     MEM PROT  LOAD ADD  START  CONT  STOP  SING STEP  EXAM  DEP
 
 A rocker is thrown by a click, or with the hand: left and right move it, up and down throw. Of a key the
@@ -14,6 +15,7 @@ from textual.containers import Horizontal
 from textual.reactive import reactive
 from textual.widgets import Static
 
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.console.lamps import columns
 from pdp8.console.pages import Page
 from pdp8.console.session import Session
@@ -30,7 +32,9 @@ KEYS = (
     ("exam", "EXAM", "e"),
     ("dep", "DEP", "d"),
 )
-LOCKING = ("mem_prot", "sing_step")
+FIELDS = (("data_field", "DATA FIELD", "f"), ("inst_field", "INST FIELD", "i"))
+"""The switches of the memory extension, where it is fitted."""
+LOCKING = ("mem_prot", "sing_step", "data_field", "inst_field")
 
 
 class Rocker(Page):
@@ -108,7 +112,7 @@ class Key(Page):
     def _cap(self) -> Text:
         if self.id not in LOCKING:
             return Text("▐██▌", Style(color=_HAND if self.down else _CREAM))
-        up = self.active == (self.id == "mem_prot")
+        up = self.active == (self.id != "sing_step")
         return Text("▐▀▀▌" if up else "▐▄▄▌", Style(color=_HAND if self.active else _RUST))
 
 
@@ -132,7 +136,9 @@ class SwitchRegister(Horizontal):
     def __init__(self, session: Session) -> None:
         self.label = Static()
         self.rockers = [Rocker(session, bit) for bit in range(12)]
-        super().__init__(self.label, *self.rockers, Octal(session, "octal"))
+        fields = FIELDS if session.machine.memory > FIELD else ()
+        keys = (Key(session, *each) for each in fields)
+        super().__init__(self.label, *self.rockers, Octal(session, "octal"), *keys)
 
     def on_resize(self) -> None:
         """Keep every rocker under its lamps."""

@@ -7,6 +7,8 @@
 "punch": "out.eia"        where what was punched goes, each time that the machine stops
 "highspeed": true         fits the PC8/L
 "device": ["clock.py:KW8"]      fits devices of your own
+"memory": "8k"            fits the MC8/L
+"dectape": ["0=ps8.tu56"]       fits a DECtape, and mounts reels
 "boot": true              loads the program from cold: RIM, BIN, tape
 "stopOnEntry": true       stands before the first instruction
 "commands": ["set hands 0"]     lines for the monitor, before START
@@ -16,10 +18,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
-from pdp8 import fitting, shelf
+from pdp8 import fitting, reels, shelf
+from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program
-from pdp8.monitor import tapes
+from pdp8.monitor import rack, tapes
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
@@ -36,6 +39,8 @@ class Launch:
     punch: str = ""
     highspeed: bool = False
     device: Sequence[str] = ()
+    memory: str = "4k"
+    dectape: Sequence[str] = ()
     boot: bool = False
     stopOnEntry: bool = False
     noDebug: bool = False
@@ -68,9 +73,13 @@ class Launch:
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
         """Return a machine loaded and started, and its program; `say` takes messages. Raises WorkError."""
         found = shelf.program(self.program[0]) if len(self.program) == 1 else shelf.programs(self.program)
-        machine = Machine()
+        if self.memory not in MEMORY:
+            raise WorkError(f"memory: {self.memory}; {', '.join(MEMORY)} are allowed")
+        machine = Machine(memory=MEMORY[self.memory])
         fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))
         monitor = Monitor(say, machine, found.listing)
+        for unit, name in map(reels.assignment, self.dectape):
+            rack.attach(monitor, f"dt{unit}", name)
         if self.boot and len(self.program) > 1:
             raise WorkError("boot: the program is one tape; assemble its sources first")
         if self.boot:

@@ -67,8 +67,9 @@ def _disassembled(debuggee: Debuggee, address: int) -> Body:
     """Return the DisassembledInstruction at `address`; one outside core is invalid."""
     if not 0 <= address < len(debuggee.monitor.machine.core):
         return {"address": str(BYTES * address), "instruction": "", "presentationHint": "invalid"}
-    word, listing = debuggee.monitor.machine.core[address], debuggee.monitor.listing
-    text = f"{address:04o}  {instruction(address, word)}"
+    machine, listing = debuggee.monitor.machine, debuggee.monitor.listing
+    word = machine.core[address]
+    text = f"{address:04o}  {instruction(address, word, machine.processor)}"
     names = [name for name, value in listing.symbols.items() if value == address and address in listing.words]
     described = {"address": reference(address), "instructionBytes": f"{word:04o}", "instruction": text}
     return described | ({"symbol": names[0]} if names else {})

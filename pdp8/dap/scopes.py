@@ -191,7 +191,8 @@ def _value_of(monitor: Monitor, expression: str) -> Body:
         address = monitor.address(expression)
     except MonitorError:
         return {"result": f"{expressions.read(expression, monitor)():04o}"}
-    line = monitor.listing.line(address, monitor.machine.core[address])
+    machine = monitor.machine
+    line = monitor.listing.line(address, machine.core[address], machine.processor)
     return {"result": line, "memoryReference": reference(address)}
 
 

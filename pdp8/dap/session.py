@@ -17,6 +17,7 @@ from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.requests import checked
 from pdp8.dap.wire import Body, MessageError, Wire
+from pdp8.monitor import rack
 from tapes.errors import WorkError
 
 _THREAD = 1
@@ -110,6 +111,8 @@ class Session:
                 self._receive()
         if self._room is not None:
             self._room.take_off()
+            if not self._finished:
+                rack.leave(self._room.monitor)
 
     def _receive(self) -> None:
         """Answer the next message; one that is not an object is said and passed over."""
@@ -212,6 +215,8 @@ class Session:
         self._runs = False
         if self._room is not None:
             self._take_off(self._room)
+            if not self._finished:
+                rack.leave(self._room.monitor)
             self._tell(self._room)
         if not self._finished:  # an editor may answer `terminated` with another request to terminate
             self._finished = True

@@ -46,11 +46,11 @@ def _examine(monitor: Monitor, place: str) -> None:
     elif place.lower() == "all":
         for address in range(monitor.machine.memory):
             if core[address]:
-                monitor.say(monitor.listing.line(address, core[address]))
+                monitor.say(monitor.listing.line(address, core[address], monitor.machine.processor))
         monitor.say("all other words are 0000")
     else:
         for address in _words(monitor, place):
-            monitor.say(monitor.listing.line(address, core[address]))
+            monitor.say(monitor.listing.line(address, core[address], monitor.machine.processor))
 
 
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:

@@ -81,7 +81,7 @@ class Monitor:
     def say_where(self, why: str) -> None:
         """Say where the machine stands now, `why`, and at what time."""
         m = self.machine
-        self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc])}")
+        self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc], m.processor)}")
 
     def say_stop(self, stop: Stop) -> None:
         """Say how a run ended, and why where something is wrong."""

@@ -12,11 +12,22 @@ from typing import TYPE_CHECKING
 
 from pal.disassembler import microinstruction
 from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
 
 if TYPE_CHECKING:
     from pal import Assembly
+
+_FIELD_IOTS = {
+    **{0o6214: "RDF", 0o6224: "RIF", 0o6234: "RIB", 0o6244: "RMF"},
+    **{0o6201 | field << 3: f"CDF {field}0" for field in range(8)},
+    **{0o6202 | field << 3: f"CIF {field}0" for field in range(8)},
+    **{0o6203 | field << 3: f"CIF CDF {field}0" for field in range(8)},
+}
+"""The memory extension's, for which PAL III has no names."""
+_DTLA = 0o6766
+"""In PAL III's table this is an IOT of the DECtape 552."""
 
 
 class Listing:
@@ -55,16 +66,23 @@ class Listing:
         """Tell whether the listing has `word` at `address`."""
         return self.words.get(address) == word
 
-    def line(self, address: int, word: int) -> str:
+    def line(self, address: int, word: int, processor: Processor | None = None) -> str:
         """Return the line of `word` at `address`: as assembled, or disassembled if it is another word now."""
         if self.fits(address, word):
             return self.lines[self.places[address]]
-        return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word)}"
+        return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word, processor)}"
 
 
-def instruction(location: int, word: int) -> str:
-    """Return what `word` at `location` does, as PAL III writes it."""
+def instruction(location: int, word: int, processor: Processor | None = None) -> str:
+    """Return what `word` at `location` does, as PAL III writes it; an IOT as what is fitted to a processor
+    has it.
+    """
     code = word >> 9
+    if processor is not None and code == IOT:
+        if processor.extension.size > FIELD and word in _FIELD_IOTS:
+            return _FIELD_IOTS[word]
+        if word == _DTLA and any(device.NAME == "dectape" for device in processor.bus):
+            return "DTLA"
     if code > JMP:
         return microinstruction(word) or f"{word:04o}"
     return f"{OPERATIONS[code]} {'I ' if word & INDIRECT else ''}{refers_to(word, location):04o}"
@@ -84,7 +102,7 @@ class Trace:
         """Take in the cycle that has ended; write its line, or the instruction's when that has ended."""
         p = processor
         if p.state == FETCH:
-            self._what = self._listing.line(p.ma, p.mb)
+            self._what = self._listing.line(p.extension.field | p.ma, p.mb, p)
         elif interrupt:
             self._what = "            JMS 0: an interrupt"
         if self._cycles or p.state == FETCH or interrupt:
@@ -111,4 +129,5 @@ def _time(ticks: int) -> str:
 def _lamps(processor: Processor) -> str:
     """Return L, AC, MA and MB as the lamps show them."""
     p = processor
-    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {p.ma:04o} {p.mb:04o}"
+    ma = p.extension.field | p.ma
+    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {ma:04o} {p.mb:04o}"

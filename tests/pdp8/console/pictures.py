@@ -20,12 +20,13 @@ def scene(
     reader: str | None = None,
     drill: str = "",
     left_alone: float | None = None,
+    memory: int = 0o10000,
 ) -> Callable[[Callable[[Room, Pilot[None]], Awaitable[None]]], Callable[[], None]]:
     """Make a test of a scene in a room whose terminal has `size` columns and lines, its clock still."""
 
     def made(act: Callable[[Room, Pilot[None]], Awaitable[None]]) -> Callable[[], None]:
         async def perform() -> None:
-            session, programs = opening(program, reader, clock=lambda: 0.0)
+            session, programs = opening(program, reader, clock=lambda: 0.0, memory=memory)
             tapes = ("bin.rim", programs[1].words), ("eia.bin", programs[2].words)
             coach = Coach(find(drill, tapes), session.machine, left_alone) if drill else None
             room = Room(session, programs, ticking=False, coach=coach)

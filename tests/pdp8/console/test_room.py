@@ -89,6 +89,23 @@ async def test_switches_by_hand_and_by_mouse(room: Room, pilot: Pilot[None]) -> 
     assert [rocker.up for rocker in room.query(Rocker)].count(True) == 2
 
 
+@scene(size=(80, 24), memory=0o20000)
+async def test_the_switches_of_the_memory_extension(room: Room, pilot: Pilot[None]) -> None:
+    machine = room.session.machine
+    machine.core[0o10200] = 0o6211
+    await press(pilot, "i 0 2 0 0 l")
+    assert (machine.pc, machine.ma, machine.mb, machine.panel.data_field) == (0o10200, 0o10200, 0o6211, 0)
+    assert_shows(room, "8K, in field 1, 80x24")
+    await press(pilot, "f I l")
+    assert (machine.pc, machine.processor.extension.data_field) == (0o200, 0o10000)
+
+
+@scene()
+async def test_without_it_they_are_not_there(room: Room, pilot: Pilot[None]) -> None:
+    await press(pilot, "i f l")
+    assert (room.session.machine.panel.inst_field, shown(room).count("EMA")) == (0, 0)
+
+
 @scene(program="eia.pal", reader="circle.asc")
 async def test_sing_step_by_cycle_with_the_listing(room: Room, pilot: Pilot[None]) -> None:
     await press(pilot, "n s c c")

@@ -79,7 +79,11 @@ class Side {
   }
 
   run_cycles(count) { this.machine.run(null, null, count); }
-  save_and_restore() { this.machine = restore(save(this.machine), breakers(this.memory)); }
+  save_and_restore() {
+    this.machine = restore(save(this.machine), breakers(this.memory));
+    this.machine.watch.observer = this.observer;
+  }
+
   record() { this.history = new History(this.machine); }
 
   back(instructions) { go_back(this.history, instructions); }

@@ -177,6 +177,7 @@ class InPython(Side):
         state = self.module("pdp8.computer.past.state")
         text = state.save(self.machine)
         self.machine = state.restore(text, breakers(self.form) if self.rack else [])
+        self.machine.watch.observer = self.count
         assert state.save(self.machine) == text
 
     def record(self) -> None:

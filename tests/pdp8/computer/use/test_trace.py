@@ -3,6 +3,8 @@
 import pytest
 
 import pal
+from pdp8.computer.dectape.tc08 import TC08
+from pdp8.computer.machine import Machine
 from pdp8.computer.use.trace import Listing, Trace, instruction
 from tests.pdp8.computer.bench import machine
 from tests.pdp8.computer.use.test_operator import assembly
@@ -33,6 +35,22 @@ def test_a_word_that_is_not_as_assembled_is_disassembled() -> None:
     assert listing.line(0o200, 0o3611) == "0200  3611          DCA I 0211"
     assert instruction(0o377, 0o5200) == "JMP 0200"
     assert instruction(0, 0o7401) == "7401"
+
+
+def test_the_racks_iots_have_names_where_it_is_fitted() -> None:
+    plain, rack = Machine(), Machine([TC08()], memory=0o20000)
+    for word, name in ((0o6211, "CDF 10"), (0o6203, "CIF CDF 00"), (0o6234, "RIB"), (0o6766, "DTLA")):
+        assert instruction(0o200, word, rack.processor) == name
+        assert instruction(0o200, word, plain.processor) != name
+    rack.load({0o10200: 0o6211, 0o10201: 0o7402})
+    lines: list[str] = []
+    rack.watch.observer = Trace(lines.append, Listing(), cycles=False)
+    rack.pc = 0o10200
+    rack.run()
+    assert [line[19:] for line in lines] == [
+        "0 0000  10200 6211  10200  6211          CDF 10",
+        "0 0000  10201 7402  10201  7402          HLT",
+    ]
 
 
 @pytest.mark.parametrize("instructions", [46, 47])
