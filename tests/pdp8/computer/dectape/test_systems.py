@@ -1,0 +1,147 @@
+"""PS/8 and OS/8 V3D at work, beside SIMH: what they type is the same to the character.
+
+The images are DEC's and not here: PDP8_OS8=FOLDER names a folder with those that docs/rack.md fetches.
+"""
+
+import os
+import pty
+import select
+import shutil
+import time
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.dectape.tc08 import TC08
+from pdp8.computer.hardware.teletype import Teletype
+from pdp8.computer.machine import Machine
+from pdp8.reels import boot
+from tapes.dectape import decode
+from tests.pdp8.computer.hardware.test_simh import SIMH
+
+IMAGES = Path(os.environ.get("PDP8_OS8", ""))
+SOURCE = "*200|CLA CLL|TAD L|TLS|TSF|JMP .-1|CLA|TAD M|TLS|TSF|JMP .-1|JMP I K|L, 310|M, 311|K, 7600|$|"
+PIP_ENDS, LEAVES = "\x1a", "\x03"
+SESSION = [
+    ("R PIP\r", "*"),
+    ("TEST.PA<TTY:\r", "\r\n"),
+    *((f"{line}\r", "\n") for line in SOURCE.split("|")[:-1]),
+    (PIP_ENDS, "*"),
+    ("TTY:<TEST.PA\r", "$\r\n*"),
+    (LEAVES, "."),
+    ("R PAL8\r", "*"),
+    ("TEST.BN<TEST.PA\r", "."),
+    ("R ABSLDR\r", "*"),
+    ("TEST.BN/G\x1b", "HI\r\n."),
+]
+"""What is typed, and what the system then ends with; the program that is assembled types HI."""
+
+
+class System:
+    """One that is typed at; `more` is what it types next, `send` presses a key."""
+
+    def __init__(self) -> None:
+        self.page = ""
+
+    def more(self) -> str:
+        raise NotImplementedError
+
+    def send(self, key: str) -> None:
+        raise NotImplementedError
+
+    def until(self, ending: str) -> str:
+        """Return what it types until that ends so."""
+        while not self.page.endswith(ending):
+            more = self.more()
+            assert more, f"{ending!r} does not come: {self.page!r}"
+            self.page += more.replace("\0", "")
+        page, self.page = self.page, ""
+        return page
+
+    def press(self, keys: str) -> None:
+        """Press each key once the one before was echoed."""
+        page = ""
+        for key in keys[:-1]:
+            self.send(key)
+            page += self.until(key)
+        self.send(keys[-1])
+        self.page = page
+
+
+class Ours(System):
+    """The system on our machine."""
+
+    def __init__(self, image: Path) -> None:
+        super().__init__()
+        control = TC08()
+        control.drives[0].mount(decode(image.read_bytes())[0])
+        self.machine = Machine([Teletype(), control], memory=0o20000)
+        self.seen = 0
+        boot(self.machine)
+
+    def more(self) -> str:
+        printed = self.machine.teletype.printer.frames
+        for _ in range(3000):
+            self.machine.run(0.1)
+            if len(printed) > self.seen:
+                break
+        new, self.seen = printed[self.seen :], len(printed)
+        return bytes(frame & 0o177 for frame in new).decode()
+
+    def send(self, key: str) -> None:
+        self.machine.run(0.3)  # what comes as a line feed is typed is lost
+        self.machine.teletype.keyboard.press(bytes([ord(key) | 0o200]))
+
+
+class Theirs(System):
+    """The system on SIMH's PDP-8."""
+
+    def __init__(self, image: Path) -> None:
+        super().__init__()
+        self.process, self.terminal = pty.fork()
+        if not self.process:
+            os.execv(SIMH, [SIMH])
+        for line in (
+            "set cpu 8k",
+            "set rk disabled",
+            "set tto 7b",
+            "set dt enabled",
+            f"attach dt0 {image}",
+            "boot dt0",
+        ):
+            self.until("sim> ")
+            os.write(self.terminal, f"{line}\n".encode())
+
+    def more(self) -> str:
+        if not select.select([self.terminal], [], [], 60)[0]:
+            return ""
+        return bytes(frame & 0o177 for frame in os.read(self.terminal, 4096)).decode()
+
+    def send(self, key: str) -> None:
+        time.sleep(0.02)
+        os.write(self.terminal, key.encode())
+
+    def close(self) -> None:
+        os.close(self.terminal)
+        os.waitpid(self.process, 0)
+
+
+@pytest.mark.slow("two systems at ten characters a second, and their tape")
+@pytest.mark.parametrize("name", ["ps8.tu56", "os8.tu56"])
+@pytest.mark.skipif(not SIMH, reason="SIMH's pdp8 is not installed")
+def test_a_session_is_typed_as_simh_types_it(name: str, tmp_path: Path) -> None:
+    image = IMAGES / name
+    if not (os.environ.get("PDP8_OS8") and image.exists()):
+        pytest.skip("PDP8_OS8=FOLDER names the images")
+    theirs = Theirs(Path(shutil.copy(image, tmp_path / "reel.tu56")))
+    session = [*SESSION, ("DIR\r", "BLOCKS\r\n\f\r\n.")] if name == "os8.tu56" else SESSION
+    expected = [theirs.until(".").removeprefix("boot dt0\r\n")]
+    for keys, ending in session:
+        theirs.press(keys)
+        expected.append(theirs.until(ending))
+    theirs.close()
+    ours = Ours(image)
+    assert ours.until(".") == expected[0]
+    for (keys, ending), page in zip(session, expected[1:], strict=True):
+        ours.press(keys)
+        assert ours.until(ending) == page

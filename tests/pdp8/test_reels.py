@@ -1,0 +1,98 @@
+"""DECtape images on drives: what is refused, and what was written is not lost."""
+
+from array import array
+from collections.abc import Callable
+from pathlib import Path
+from unittest.mock import patch
+
+import pytest
+
+from pdp8 import shelf
+from pdp8.monitor import rack
+from pdp8.monitor.commands import do
+from pdp8.monitor.prompt import Monitor
+from tapes import dectape
+from tapes.errors import TapeError, WorkError
+from tests.pdp8.computer.dectape.reel import file
+
+WHOLE = dectape.blank().content()
+NO_IMAGE = {
+    b"": "0 bytes; a DECtape image has 380,292 or 377,344",
+    WHOLE[:-1]: "380,291 bytes; a DECtape image",
+    WHOLE + bytes(258): "380,550 bytes; a DECtape image",
+    bytes(591_872): "591,872 bytes: a DECtape of 18-bit words, of a PDP-7, 9 or 15",
+    bytes(3_325_952): "3,325,952 bytes: an RK05 disk; no PDP-8/L had one",
+    bytes(65_536): "65,536 bytes: a DF32 disk",
+    WHOLE[:262] + b"\0\x10" + WHOLE[264:]: "block 1, word 2: 10000 (octal) is no word of 12 bits",
+}
+
+
+@pytest.mark.parametrize(("content", "said"), NO_IMAGE.items(), ids=NO_IMAGE.values())
+def test_what_is_no_image_is_refused_with_the_reason(content: bytes, said: str) -> None:
+    with pytest.raises(TapeError) as refused:
+        dectape.decode(content)
+    assert str(refused.value).startswith(said)
+
+
+def test_an_image_comes_back_byte_for_byte() -> None:
+    words = array("H", [number * 7 & 0o7777 for number in range(dectape.BLOCKS * dectape.WORDS)])
+    whole = dectape.Image(words).content()
+    assert dectape.decode(whole)[0].content() == whole
+    short, notes = dectape.decode(whole[: 3 * 258])
+    assert notes == ["3 of 1474 blocks; the others are taken as 0"]
+    assert short.content() == whole[: 3 * 258] + bytes(len(whole) - 3 * 258)
+    narrow = b"".join(whole[at : at + 256] for at in range(0, len(whole), 258))
+    assert dectape.decode(narrow)[0].content() == narrow
+
+
+@pytest.fixture
+def monitor(tmp_path: Path) -> Monitor:
+    """Return a monitor with a reel on drive 0, of which a block was written."""
+    said: list[str] = []
+    made = Monitor(said.append)
+    do(made, f"attach dt0 {file(tmp_path / 'reel.tu56')}")
+    made.reels.drives[0].write(5, 7, 0o1234)
+    return made
+
+
+def failing(times: int) -> Callable[[str, bytes], bool]:
+    """Return what writes a file, but finds the disk full so many times."""
+    left, write = [times], shelf.write
+
+    def written(name: str, content: bytes) -> bool:
+        if left[0]:
+            left[0] -= 1
+            raise shelf.ShelfError(f"{name}: No space left on device; this file was not written")
+        return write(name, content)
+
+    return written
+
+
+def test_a_reel_is_on_one_drive(monitor: Monitor, tmp_path: Path) -> None:
+    (tmp_path / "other.tu56").symlink_to("reel.tu56")
+    for name in ("reel.tu56", "other.tu56"):
+        with pytest.raises(WorkError, match="is on drive 0: a reel is on one drive"):
+            do(monitor, f"attach dt1 {tmp_path / name}")
+
+
+def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor, tmp_path: Path) -> None:
+    before = (tmp_path / "reel.tu56").read_bytes()
+    for line in ("detach dt0 /dev/full", f"detach dt0 {tmp_path / 'reel.tu56'}", "detach dt0"):
+        with pytest.raises(WorkError):
+            do(monitor, line)
+        assert monitor.reels.changed(0) == 1
+    saved = tmp_path / "saved.tu56"
+    with patch.object(shelf, "write", failing(1)), pytest.raises(WorkError, match="No space left"):
+        do(monitor, f"detach dt0 {saved}")
+    assert not saved.exists()
+    do(monitor, f"detach dt0 {saved}")
+    assert dectape.decode(saved.read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
+    assert (tmp_path / "reel.tu56").read_bytes() == before
+
+
+@pytest.mark.parametrize(("full", "place"), [(0, "reel-changed.tu56"), (1, "tmp/reel-changed.tu56")])
+def test_what_nobody_saved_is_left_beside(monitor: Monitor, tmp_path: Path, full: int, place: str) -> None:
+    (tmp_path / "tmp").mkdir()
+    with patch.object(shelf, "write", failing(full)), patch("tempfile.tempdir", str(tmp_path / "tmp")):
+        rack.leave(monitor)
+    assert dectape.decode((tmp_path / place).read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
