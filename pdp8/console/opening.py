@@ -22,7 +22,8 @@ def opening(
     memory: int = FIELD,
 ) -> tuple[Session, list[Program]]:
     """Return the session and its listings' programs; `program` is in core and the PC at `start`, unless
-    `cold`; `reader` names a tape, `clock` gives real seconds, `memory` is that of core. Raises WorkError for an unreadable file.
+    `cold`; `reader` names a tape, `clock` gives real seconds, core has `memory` words. Raises WorkError for
+    an unreadable file.
     """
     rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
     last = shelf.program(program) if program else shelf.bundled_program("eia.pal")
