@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from pdp8.computer.dectape.tc08 import TC08
+from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
 from pdp8.reels import boot
@@ -71,11 +72,11 @@ class System:
 class Ours(System):
     """The system on our machine."""
 
-    def __init__(self, image: Path) -> None:
+    def __init__(self, image: Path, memory: int) -> None:
         super().__init__()
         control = TC08()
         control.drives[0].mount(decode(image.read_bytes())[0])
-        self.machine = Machine([Teletype(), control], memory=0o20000)
+        self.machine = Machine([Teletype(), control], memory=memory)
         self.seen = 0
         boot(self.machine)
 
@@ -96,13 +97,13 @@ class Ours(System):
 class Theirs(System):
     """The system on SIMH's PDP-8."""
 
-    def __init__(self, image: Path) -> None:
+    def __init__(self, image: Path, size: str) -> None:
         super().__init__()
         self.process, self.terminal = pty.fork()
         if not self.process:
             os.execv(SIMH, [SIMH])
         for line in (
-            "set cpu 8k",
+            f"set cpu {size}",
             "set rk disabled",
             "set tto 7b",
             "set dt enabled",
@@ -127,20 +128,20 @@ class Theirs(System):
 
 
 @pytest.mark.slow("two systems at ten characters a second, and their tape")
-@pytest.mark.parametrize("name", ["ps8.tu56", "os8.tu56"])
+@pytest.mark.parametrize(("name", "size"), [("ps8.tu56", "8k"), ("os8.tu56", "32k")])
 @pytest.mark.skipif(not SIMH, reason="SIMH's pdp8 is not installed")
-def test_a_session_is_typed_as_simh_types_it(name: str, tmp_path: Path) -> None:
+def test_a_session_is_typed_as_simh_types_it(name: str, size: str, tmp_path: Path) -> None:
     image = IMAGES / name
     if not (os.environ.get("PDP8_OS8") and image.exists()):
         pytest.skip("PDP8_OS8=FOLDER names the images")
-    theirs = Theirs(Path(shutil.copy(image, tmp_path / "reel.tu56")))
+    theirs = Theirs(Path(shutil.copy(image, tmp_path / "reel.tu56")), size)
     session = [*SESSION, ("DIR\r", "BLOCKS\r\n\f\r\n.")] if name == "os8.tu56" else SESSION
     expected = [theirs.until(".").removeprefix("boot dt0\r\n")]
     for keys, ending in session:
         theirs.press(keys)
         expected.append(theirs.until(ending))
     theirs.close()
-    ours = Ours(image)
+    ours = Ours(image, MEMORY[size])
     assert ours.until(".") == expected[0]
     for (keys, ending), page in zip(session, expected[1:], strict=True):
         ours.press(keys)
