@@ -79,7 +79,7 @@ def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
 
 
 def _words(move: Move, unit: Unit) -> str:
-    """Return the axes that move; a position names both X and Y, because a controller may start anywhere."""
+    """The words of the axes that move; a position has both X and Y, as a controller may start anywhere."""
     start, end = _signed(move.start), _signed(move.end)
     whole = "XY" if move.kind == MoveKind.POSITION else ""
     return " ".join(

@@ -401,7 +401,7 @@ def _made_for(tape: str, path: "Path") -> Nominal | None:
             nominal, of = companion.read(text)
         if of == blocks:
             return nominal._replace(source=f"{name}, {nominal.source}")
-        command.say(f"{name} is of another tape, its blocks differ: not used (--profile {name} would)")
+        command.say(f"{name} is of another tape, as its blocks differ: not used; --profile {name} uses it")
     stem = os.path.splitext(os.path.basename(tape))[0]
     part = PARTS.get(stem)
     if part and part.has_defaults and companion.digest(lines_of(part.program()())) == blocks:

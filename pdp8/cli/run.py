@@ -499,7 +499,7 @@ def _report(
 
 
 def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Values") -> Stop:
-    """The stop with its causes: a run without an operator is repeated for them, another has a history."""
+    """Return the stop with its causes, from the run's history, or from a repetition if nobody took part."""
     words = found.words if found else {}
     if not may_be_wrong(stop, machine, words):
         return stop

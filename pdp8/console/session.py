@@ -201,7 +201,7 @@ class Session:
                 self._hands = None
 
     def mount(self, tape: Tape) -> None:
-        """Put a tape into the reader, as Operator.mount does; say what ASCII programs do not find on it."""
+        """Put a tape into the reader, as Operator.mount does, and warn if ASCII programs cannot read it."""
         if doubt := codes.recognise(tape.frames).doubt(tape.frames):
             self.said = f"{tape.name} {doubt}"
         self.reader_tape = tape.name

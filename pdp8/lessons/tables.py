@@ -64,7 +64,7 @@ tables = field("[[...]] tables is wanted", list)
 
 
 def mapping(value: Any) -> dict[str, Any]:
-    """Return a table, which JSON may have as pairs."""
+    """Return a table; in JSON it may be a list of pairs."""
     try:
         return dict(value)
     except (TypeError, ValueError):

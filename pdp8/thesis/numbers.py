@@ -58,7 +58,7 @@ class Number(NamedTuple):
 
     @property
     def inputs(self) -> tuple[str, ...]:
-        """The names of what ours is made from."""
+        """The names of the inputs that our value is computed from."""
         return inputs(self.measure) if self.measure else ()
 
     @property

@@ -259,7 +259,7 @@ def test_a_part_is_judged_by_the_curve_that_was_written_beside_its_tape(shell: S
     done = shell("pdp8 nc inspect other.eia --tolerance 0.003")
     assert (done.returncode, b"--tolerance needs the nominal curve" in done.stderr) == (2, True)
     done = shell("pdp8 part circle -o cam.asc; pdp8 nc inspect cam.eia | tail -1")
-    assert b"cam.json is of another tape, its blocks differ: not used" in done.stderr
+    assert b"cam.json is of another tape, as its blocks differ: not used" in done.stderr
     assert done.stdout.startswith(b"no verdict")
 
 

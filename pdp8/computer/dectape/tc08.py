@@ -424,7 +424,7 @@ def _first(at: int, before: int) -> int:
 
 
 def _line_of(group: int) -> int:
-    """Return the first line of a group of four; the control begins to count anew with the first word."""
+    """Return the first line of a group of four, counted anew from the first word on."""
     if group < BESIDE:
         return WORD * group
     return HEADER + WORD * (group - BESIDE)

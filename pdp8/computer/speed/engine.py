@@ -91,7 +91,7 @@ _SKIPS = {0: SKIP, REVERSED: SKIP_UNLESS, CLA: SKIP_CLA, CLA | REVERSED: SKIP_UN
 
 
 class Engine:
-    """Runs a processor in pieces; `delays` says whether delay loops are counted down at once."""
+    """Runs a processor in pieces; with `delays` a delay loop is counted down in one step."""
 
     def __init__(self, processor: Processor, waiting: Waiting, delays: bool = True) -> None:
         self.processor = processor

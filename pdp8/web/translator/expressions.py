@@ -730,7 +730,7 @@ class Expressions(Types):
         return f"({text}[{at}] ?? {safe})" if direct else safe
 
     def _index(self, value: ast.expr, index: ast.expr, kind: Type) -> None:
-        """Refuse an index that is none."""
+        """Refuse an index that is neither a whole number nor a key."""
         for each in either(kind):
             by = self.infer(index)
             of = self.program.classes.get(each.name)
