@@ -39,6 +39,8 @@ _CUTS_AT_FULL = 4_000
 _FOLLOWED = 20
 _GROUP = 360
 _AT_ONCE = 512
+_TENTH = 0.1
+"""Thousandths: what a verdict is rounded to, whatever the tolerance is a multiple of."""
 _TIE = 1e-6
 """Of two stations as near, at a corner, the one whose normal leads to the place is taken."""
 _LEFT = 0.05
@@ -120,7 +122,7 @@ class Inspection:
     @property
     def within_tolerance(self) -> bool:
         """Whether all of the curve was cut, and no wall is further off than allowed, to .0001 in."""
-        return not self.uncut and round(abs(self.furthest.error), 1) <= self.tolerance
+        return not self.uncut and abs(self.furthest.error) < self.tolerance + _TENTH / 2
 
     @property
     def uncut(self) -> float:
