@@ -24,6 +24,10 @@ PACKAGES = {
     "lessons": ("pdp8/lessons", ["tests/pdp8/lessons/test_*.py", "tests/test_lesson_kit.py"]),
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor/test_*.py", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer/**/test_*.py"]),
+    "dap": ("pdp8/dap", ["tests/pdp8/dap/test_*.py"]),
+    "cli": ("pdp8/cli", ["tests/pdp8/cli/test_*.py", "tests/options/test_*.py", "tests/*/test_cli.py"]),
+    "web": ("pdp8/web", ["tests/pdp8/web/test_*.py"]),
+    "translator": ("pdp8/web/translator", ["tests/pdp8/web/translator/test_*.py"]),
 }
 """The folder and the tests of each package. A folder of its own here is left out of the package around it."""
 

@@ -4,7 +4,8 @@ import math
 import re
 import shutil
 import subprocess
-from itertools import groupby, pairwise
+from collections.abc import Iterable, Iterator
+from itertools import groupby, pairwise, product
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,11 @@ from shapely.geometry.base import BaseGeometry
 
 import nc
 from nc.gcode import Output, gcode
+from nc.gcode_1971 import gcode_1971
 from nc.machine import Settings
 from programs.parts import part
 from tapes.errors import WorkError
+from tapes.hydrapoint import MISCELLANEOUS
 from tests.conftest import case
 from tests.nc import safety
 from tests.nc.safety import Stock
@@ -250,3 +253,38 @@ def test_a_tape_that_a_mill_cannot_cut_is_refused() -> None:
         [*gcode(nc.cut(tape(*HEADER)))]
     with pytest.raises(WorkError, match="block 2 cuts with the spindle at rest"):
         [*gcode(nc.cut(tape(*FOUR_HOLES[1:])))]
+
+
+def fed(lines: Iterable[str]) -> Iterator[tuple[float, str]]:
+    """Yield X and the coolant of each move that is fed; the spindle has to turn."""
+    turning, coolant, x = False, {"M7": False, "M8": False}, 0.0
+    for line in lines:
+        words = re.sub(r"\(.*?\)", "", line).split()
+        for word in words:
+            turning = word in ("M3", "M4") or (turning and word not in ("M5", "M6"))
+            coolant |= (
+                dict.fromkeys(coolant, False) if word == "M9" else {word: True} if word in coolant else {}
+            )
+            x = float(word[1:]) if word[0] == "X" else x
+        if "G1" in words:
+            assert turning, line
+            yield x, " ".join(name for name, on in coolant.items() if on)
+
+
+def test_after_any_two_functions_the_cutter_turns_under_the_last_coolant() -> None:
+    """A hole, a function, a hole, another function, a hole: in every program that can be written of it."""
+    begin = ("001 0 00000 00000 0 31 88", "002 9 03000 03500 0 01 89", "003 5 01000 01000 0 01 80")
+    words = {"mist": "M7", "flood": "M8", "off": ""}
+    for functions in product(MISCELLANEOUS, (0, 6, 7, 8, 9, 86)):
+        moves = [
+            (f"004 0 02000 02000 0 01 {function:02}", f"005 5 0{at}000 01000 0 01 80")
+            for at, function in zip((4, 6), functions, strict=True)
+        ]
+        path = nc.cut(tape(*begin, *moves[0], *moves[1]))
+        wanted = [(x, words[path.steps[at].modes.coolant]) for x, at in ((1, 2), (4, 4), (6, 6))]
+        dry = [(x, "") for x, _ in wanted]
+        changing, plain = ([*gcode(path, Output(tool_change=given))] for given in (True, False))
+        with case(functions):
+            assert safety.run(changing, 0.25, LINUXCNC).faults == safety.run(plain, 0.25).faults == []
+            for lines, expected in ((changing, wanted), (plain, dry), (gcode_1971(path), wanted)):
+                assert [*dict.fromkeys(fed(lines))] == expected

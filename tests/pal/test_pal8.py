@@ -194,3 +194,8 @@ def test_a_source_that_begins_with_its_end_is_not_taken_for_pal8(source: str | b
     assert (assembly.dialect, assembly.ok) == ("pal3", False)
     assert assembly.messages[0] == "IC  0232  AT  0200"
     assert "PN36" not in {found.code for found in assembly.diagnostics}
+
+
+def test_a_source_with_pal8s_words_is_pal8s_if_it_has_no_more_errors_there() -> None:
+    for line, dialect in (("\tTAD 8", "pal8"), ("\tTAD 8\n\tTAD 9", "pal3")):
+        assert pal.assemble(f"*200\n\tZBLOCK 2\n{line}\n$\n", dialect="auto").dialect == dialect

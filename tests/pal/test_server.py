@@ -22,6 +22,7 @@ from pytest_lsp import make_test_lsp_client
 import pal
 from pal import server
 from pal.document import Document
+from pal.fixes import fixes
 from pal.formatting import formatted
 from pal.text import Text
 from pal.workspace import Workspace
@@ -281,3 +282,10 @@ def test_what_is_no_request_is_answered_as_an_error_and_the_session_goes_on() ->
         r'"code": (-?\d+).*?"id": (\d)|"id": (\d), "jsonrpc": "2.0", "result"', done.stdout.decode()
     )
     assert answers == [("", "", "1"), ("-32602", "2", ""), ("-32602", "3", ""), ("", "", "4"), ("", "", "5")]
+
+
+def test_a_pointer_is_offered_unless_its_name_is_taken() -> None:
+    for name, offered in (("QFAR", 1), ("PFAR", 0)):
+        document = one(f"*200\n\tJMP FAR\n{name},\t0\n*400\nFAR,\tHLT\n$\n")
+        (found,) = (each for each in document.found(0) if each.code == "IR")
+        assert len([*fixes(document, 0, found)]) == offered

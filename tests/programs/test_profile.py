@@ -131,6 +131,13 @@ def test_an_outline_without_a_cutter_is_the_path_wherever_its_points_begin() -> 
         assert max(LineString(way).distance(Point(place)) for place in edge.segmentize(3).coords) < 6 * 2**0.5
 
 
+def test_a_step_too_low_for_the_cutter_is_refused_wherever_its_points_begin() -> None:
+    step = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 1.03), (0.0, 1.03)]
+    for first in (0, 2, 3, 4, 5):  # from 1 on its last side is too long to be left out
+        with pytest.raises(WorkError, match="the profile bends closer, or is rough, at X"):
+            profile.part(_file([*step[first:], *step[:first]]), cutter=0.25, milling=Milling())
+
+
 @pytest.mark.parametrize(
     ("text", "cutter", "why"),
     [

@@ -56,3 +56,10 @@ def test_typed_text_with_any_line_ends() -> None:
     assert typed(b"\xef\xbb\xbfA\r\nB\rC\n") == "A\nB\nC\n"
     with pytest.raises(TextError, match="line 2, column 3: byte 377 is no text"):
         typed(b"AB\nCD\xff\n")
+
+
+def test_two_splices_are_left_out() -> None:
+    text = TEXT * 4
+    tape = eia.encode(text)
+    spliced = tape[:50] + bytes(30) + tape[50:90] + bytes(20) + tape[90:]
+    assert convert(spliced, "eia", "text", accept=True) == text.encode()

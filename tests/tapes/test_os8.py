@@ -67,6 +67,11 @@ def test_a_full_directory_and_a_full_tape_are_refused() -> None:
     assert len(os8.directory(image)) > 240
 
 
+def test_a_file_may_fill_the_free_place() -> None:
+    image = os8.insert(empty(), "WHOLE", [0] * (FREE * 256))
+    assert [(each.name, each.length) for each in os8.directory(image)] == [("WHOLE", FREE)]
+
+
 @pytest.mark.parametrize(
     ("image", "said"),
     [

@@ -149,6 +149,7 @@ export class Parts {
     bench.editor.load();
     bench.machine.teletype.punch.frames.clear();
     bench.teletype.mount(this.name);
+    bench.teletype.leverWaits = true; // also where it stood at STOP
     bench.switches.press("start");
     this.speed = bench.clock.speed;
     bench.time.setSpeed(Infinity);

@@ -20,6 +20,7 @@ from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Call, Shell, assert_same_tape
 from tests.pdp8.cli.test_run import LINE, WHOLE
+from tests.pdp8.computer.dectape import reel
 
 
 def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
@@ -114,11 +115,29 @@ def halves(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("halves")
-def test_several_tapes_one_after_another(shell: Shell) -> None:
+def test_several_tapes_one_after_another(shell: Shell, call: Call) -> None:
     done = shell("pdp8 run eia.pal --reader a.asc --reader b.asc")
     assert_same_tape(done.stdout, WHOLE)
     assert b"b.asc goes into the reader after 11 frames" in done.stderr
     assert b"21 frames read, 21 frames punched" in done.stderr
+    assert call("pdp8 run eia.pal --reader a.asc --reader b.asc --punch x --quiet") == (0, "", "")
+
+
+def test_channel_8_is_explained_where_frames_go_down_a_pipe(shell: Shell) -> None:
+    done = shell("pdp8 run hello.pal; pdp8 run hello.pal --punch x")
+    assert done.stderr.count(b"the frames have channel 8") == 1
+
+
+WRITES = "*20\n\t240\n*200\n\tCLA\n\tTAD 20\n\t6766\n\t6771\n\tJMP .-1\n\tHLT\n*7754\n\t7777\n\t0777\n$\n"
+"""Writes a word into block 0 of the reel on drive 0."""
+
+
+def test_a_reel_that_was_written_is_left_beside_its_file_or_in_the_state(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "writes.pal").write_text(WRITES)
+    reel.file(tmp_path / "a.tu56")
+    for options, left in (("--save s", []), ("--save-dectape 0=b.tu56", []), ("", ["a-changed.tu56"])):
+        status, _, said = call(f"pdp8 run writes.pal --dectape 0=a.tu56 {options}")
+        assert (status, [path.name for path in tmp_path.glob("*-changed*")]) == (0, left), said
 
 
 def test_switches_and_start_beside_a_restored_state(call: Call, tmp_path: Path) -> None:

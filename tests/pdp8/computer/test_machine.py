@@ -9,7 +9,7 @@ import pytest
 
 import pdp8
 from pdp8.computer.hardware.bus import Bus
-from pdp8.computer.hardware.fields import all_fields, take
+from pdp8.computer.hardware.fields import BIT, all_fields, put, take
 from pdp8.computer.hardware.highspeed import PunchControl, ReaderControl
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import NEVER
@@ -103,6 +103,14 @@ def test_all_is_0_at_power_up_but_few_things_and_initialize_leaves_it_so() -> No
     for device in devices.values():
         device.initialize(0)
     assert take(parts) == made | {"bus actions": 1}
+    ones = [key for key, part, name, kind in parts if kind == BIT and key[0] == "0" and not made[key]]
+    put(parts, dict.fromkeys(ones, 1))
+    for device in devices.values():
+        device.initialize(0)
+    assert {key for key, value in take(parts).items() if value and key in ones} == {
+        *(f"{code} tested" for code in devices),
+        *("01 reader loaded", "03 reader loaded"),
+    }
     assert not Machine().watch.reached
 
 

@@ -2,6 +2,8 @@
 
 import copy
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -10,6 +12,8 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
 from pdp8.computer.watch import Watch
 from pdp8.dap import calls, motion
+from pdp8.dap.scopes import stack_trace
+from pdp8.monitor.prompt import Monitor
 
 FOLDER = Path(__file__).parent
 
@@ -40,6 +44,19 @@ def test_the_callers_are_those_that_called(name: str) -> None:
         assert found == [*reversed(entries), None], f"at {machine.pc:04o}"
         depths.add(len(found))
     assert len(depths) > 1
+
+
+def test_the_callers_are_shown_in_parts() -> None:
+    machine = machine_with("nested.pal")
+    while len(calls.frames(list(machine.core), machine.pc, 0)) < 3:
+        machine.run(instructions=1)
+    debuggee: Any = SimpleNamespace(monitor=Monitor(lambda line: None, machine), knows_source=False)
+    whole = stack_trace(debuggee, {})["stackFrames"]
+    for levels in (1, 2):
+        parts = [
+            stack_trace(debuggee, {"startFrame": at, "levels": levels})["stackFrames"] for at in range(3)
+        ]
+        assert parts == [whole[at : at + levels] for at in range(3)]
 
 
 def test_an_interrupt_is_stepped_into_and_over() -> None:

@@ -8,6 +8,11 @@ from typing import Any
 
 import pytest
 
+from pdp8 import shelf
+from pdp8.computer.machine import Machine
+from pdp8.dap.breakpoints import ADDRESSES, Point
+from pdp8.dap.places import Places
+from pdp8.monitor.prompt import Monitor
 from tests.pdp8.dap.test_dap import Seen, console, launched, play
 
 COUNTS = "*200\nL,\tISZ N\n\tISZ M\n\tJMP L\n\tHLT\nN,\t7770\nM,\t7760\nCOUNTER=M\n$\n"
@@ -285,3 +290,12 @@ def test_a_program_of_two_tapes_has_breakpoints_in_both(folder: Path) -> None:
     assert (other["verified"], other["message"]) == (False, "the program that runs is one.pal two.pal")
     top, *_, last = seen.answers[-1]["body"]["stackFrames"]
     assert (top["line"], top["source"]["name"], last["source"]["name"]) == (3, "two.pal", "one.pal")
+
+
+def test_hits_are_counted_anew_when_the_program_is_loaded_again() -> None:
+    monitor, places = Monitor(lambda line: None, Machine()), Places(shelf.program("hello.pal"))
+    point = Point(1, ADDRESSES, "200", {"name": "200", "hitCondition": "2"})
+    for now in (5, 7):
+        point.place(monitor, places)
+        assert not point.stops(now, [])
+    assert point.stops(9, [])

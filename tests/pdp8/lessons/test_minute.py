@@ -57,6 +57,7 @@ def test_from_anywhere(seed: int) -> None:
     machine, minute = Machine(), Minute(typed=True)
     machine.load({0o200 + word: random.randrange(0o10000) for word in range(40)})
     machine.pc = 0o200
+    machine.teletype.punch.frames.extend(bytes(9))
     minute.begin(machine)
     said = []
     for _ in range(random.randrange(60)):
@@ -76,6 +77,11 @@ def test_from_anywhere(seed: int) -> None:
     machine.run(seconds=1)
     assert machine.teletype.punch.tape[before:] == b"\xc1\xc4\xc1"
     assert minute.next(machine).say.startswith("ADA: 3 rows of holes")
+    machine.teletype.punch.frames.clear()  # it is torn off
+    assert minute.next(machine).say.startswith("Your program runs")
+    machine.teletype.keyboard.press(b"\xc5")
+    machine.run(seconds=1)
+    assert minute.next(machine).say.startswith("E: one row of holes")
 
 
 def test_what_a_key_did() -> None:

@@ -86,3 +86,34 @@ def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
         assert monitor.waiting_tapes == ["ellipse.asc"]
     do(monitor, "reader none")
     assert (monitor.waiting_tapes, monitor.machine.teletype.reader.tape) == ([], b"")
+
+
+def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) -> None:
+    monitor = Monitor(lambda line: None, Machine())
+    for name in "abc":
+        (tmp_path / name).write_bytes(b"\x80x")
+    do(monitor, f"reader {tmp_path}/a {tmp_path}/b")
+    assert monitor.waiting_tapes == [f"{tmp_path}/b"]
+    do(monitor, f"reader {tmp_path}/c")
+    assert monitor.waiting_tapes == []
+
+
+def test_what_is_shown_and_expected_is_what_is_new() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append, Machine())
+    monitor.machine.teletype.printer.frames.extend(b"XAXB")
+    for line in ("page", "page more", "expect XA", "page more"):
+        do(monitor, line)
+    assert said == ["XAXB", "", ""]
+    with pytest.raises(MonitorError, match="'XA' was not printed"):
+        do(monitor, "expect XA --from-start")
+    do(monitor, "expect XB --from-start")
+    do(monitor, "go 200 0")
+    monitor.machine.teletype.printer.frames.extend(b"C")
+    do(monitor, "page more")
+    do(monitor, "back 0 seconds")
+    del monitor.machine.teletype.printer.frames[1:]
+    do(monitor, "back 0 seconds")
+    monitor.machine.teletype.printer.frames.extend(b"D")
+    do(monitor, "page more")
+    assert said[-1] == "D"

@@ -237,10 +237,10 @@ export const cases = {
     made.teletype.punch.frames.append(1);
     const bench = {
       machine: made, clock: { speed: 1 }, editor: { open: nothing, load: nothing }, shelf: { get: () => ({}) }, teletype: { mount: nothing },
-      switches: { press: (key) => done.push(key, made.teletype.punch.frames.length) }, time: { setSpeed: nothing },
+      switches: { press: (key) => done.push(key, made.teletype.punch.frames.length, bench.teletype.leverWaits) }, time: { setSpeed: nothing },
     };
     Object.assign(Object.create(Parts.prototype), { bench, name: "a.asc" }).translate();
-    return [done, ["start", 0]];
+    return [done, ["start", 0, true]];
   },
   "a new part is neither translated nor cut yet": async () => {
     const { Parts } = await get("bench/parts");

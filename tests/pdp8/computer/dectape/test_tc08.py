@@ -127,7 +127,23 @@ def test_select_errors() -> None:
     m, control = machine()
     m.start(0o200)
     control.drives[0].locked = 1
-    assert command(m, GO | WRITE)[0] == 0o4400
+    for function in (WRITE, WRITE_ALL):
+        assert command(m, GO | function)[0] == 0o4400
+
+
+def test_another_reel_has_nothing_of_the_one_before() -> None:
+    drive = machine()[1].drives[0]
+    drive.write(3, 0, 0o7070)
+    drive.mount(reel())
+    assert (drive.read(3, 0), drive.blocks) == (3, {})
+
+
+def test_a_reel_that_is_stopped_while_it_turns_comes_to_rest() -> None:
+    drive = machine()[1].drives[0]
+    drive.go(0, 0)
+    drive.go(1, 10_000_000)
+    drive.stop(10_000_001)
+    assert drive.position(20_000_000) == drive.position(40_000_000)
 
 
 def test_stopping_carries_the_tape_further_than_starting_uses_up() -> None:

@@ -108,3 +108,11 @@ def test_expressions_have_the_same_value(tmp_path: Path) -> None:
         if not _same(there, wanted)
     ]
     assert not differ, f"{len(differ)} of {len(gathered)}: {min(differ, key=len)}"
+
+
+@needs_node
+def test_an_item_is_set_within_a_list_only() -> None:
+    put = "pdp8/web/translator/runtime", "put", [1, 2]
+    *within, below, above = called(*((*put, index, 3) for index in (-2, 1, -3, 2)))
+    assert within == [None, None]
+    assert {below, above} == {"IndexError: list assignment index out of range"}

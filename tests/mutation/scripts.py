@@ -1,0 +1,109 @@
+"""Mutants of the pages' scripts, from the syntax tree that ESLint's parser gives; each is tried as a fault.
+
+    python -m tests.mutation.scripts [--sample 60] [--seed 0] [-j JOBS] [FOLDER...]     bench, room, curve
+
+As in mutants.py: a comparison, an operator, a condition, a number, a return, a statement. A number within a
+template or an object is a size or a colour, which no test knows.
+"""
+
+import argparse
+import json
+import random
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+from tests.faults.catalogue import Fault
+from tests.faults.workshop import HOUSE, first_failure
+from tests.pdp8.web.node import NODE
+
+WEB = "pdp8/web"
+TESTS = {
+    "bench": ["again", "model", "desk", "workbench", "page", "controls"],
+    "room": ["again", "room", "model", "touch"],
+    "curve": ["again", "curve"],
+}
+"""The tests of each folder, the quickest first."""
+FLOOR = 0.85
+_LIST = """
+import { parse } from "PARSER";
+import { readFileSync } from "node:fs";
+const OTHERS = { "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "===": ["!=="],
+  "!==": ["==="], "+": ["-"], "-": ["+"], "*": ["+"], "/": ["*"], "%": ["*"], "&&": ["||"], "||": ["&&"],
+  "??": ["&&"], "+=": ["-="], "-=": ["+="] };
+const found = [];
+for (const file of JSON.parse(readFileSync(0, "utf8"))) {
+  const text = readFileSync(file, "utf8");
+  const of = ({ start, end }) => text.slice(start, end);
+  const change = ({ start, end }, after) => found.push([file, start, end, after]);
+  const visit = (node, plain) => {
+    const { type, left, right, operator, test, argument, value } = node;
+    if (OTHERS[operator] && left) {
+      const start = left.end + text.slice(left.end, right.start).lastIndexOf(operator);
+      for (const other of OTHERS[operator]) change({ start, end: start + operator.length }, other);
+    }
+    if (operator === "!") change(node, of(argument));
+    if (type === "Literal" && plain && typeof value === "number") change(node, String(value + 1));
+    if (type === "Literal" && typeof value === "boolean") change(node, String(!value));
+    if (/^(If|Cond)/.test(type) && !OTHERS[test.operator]) change(test, `!(${of(test)})`);
+    if (type === "ReturnStatement" && argument) change(argument, "null");
+    if (type === "ExpressionStatement") change(node, ";");
+    const within = plain && type !== "TemplateLiteral" && type !== "Property";
+    for (const each of Object.values(node).flat()) if (each?.type) visit(each, within);
+  };
+  visit(parse(text, { ecmaVersion: "latest", sourceType: "module" }), true);
+}
+console.log(JSON.stringify(found));
+"""
+
+
+def mutants(folder: str) -> list[Fault]:
+    """Return the mutants of a folder's scripts."""
+    files = sorted(path.relative_to(HOUSE).as_posix() for path in (HOUSE / WEB / folder).glob("*.mjs"))
+    parser = HOUSE / "tests/node/node_modules/acorn/dist/acorn.mjs"
+    command = [str(NODE), "--input-type=module", "--eval", _LIST.replace("PARSER", parser.as_uri())]
+    listed = subprocess.run(
+        command, input=json.dumps(files), cwd=HOUSE, stdout=subprocess.PIPE, text=True, check=True
+    )
+    texts = {file: (HOUSE / file).read_text() for file in files}
+    tests = [f"tests/pdp8/web/test_{name}.py" for name in TESTS[folder]]
+
+    def one(file: str, start: int, end: int, after: str) -> Fault:
+        text = texts[file]
+        line, before = text.count("\n", 0, start) + 1, " ".join(text[start:end].split())
+        return Fault(
+            folder, f"{line}: {before} → {after}", file, text, text[:start] + after + text[end:], tests
+        )
+
+    found: list[Any] = json.loads(listed.stdout)
+    return [one(*each) for each in found]
+
+
+def main(arguments: argparse.Namespace) -> int:
+    """Try a sample of each folder; print what survives and the scores; return the exit status."""
+    low = False
+    for folder in arguments.folders or TESTS:
+        there = mutants(folder)
+        picked = random.Random(arguments.seed).sample(there, min(arguments.sample or len(there), len(there)))
+        with ThreadPoolExecutor(arguments.jobs) as pool:
+            verdicts = list(pool.map(lambda fault: bool(first_failure(fault.tests, fault)), picked))
+        for fault in [fault for fault, caught in zip(picked, verdicts, strict=True) if not caught]:
+            print(f"survived {fault.file}:{fault.name[:120]}")
+        score = sum(verdicts) / len(verdicts)
+        print(f"| {folder} | {len(there)} | {len(picked)} | {sum(verdicts)} | {score:.1%} |", flush=True)
+        low |= score < FLOOR
+    return int(low)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(
+        description="Change the pages' scripts by rule and see whether a test fails."
+    )
+    parser.add_argument("folders", nargs="*", help=f"of {', '.join(TESTS)} [all]")
+    parser.add_argument(
+        "--sample", type=int, default=60, metavar="N", help="at most N of a folder; 0 for all"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="of the drawing [0]")
+    parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
+    sys.exit(main(parser.parse_args()))
