@@ -23,7 +23,7 @@ from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, rerun, said
+from pdp8.computer.use.ending import ended, explained, may_be_wrong, rerun, sentences
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
@@ -492,9 +492,8 @@ def _report(
         stop = _explained(machine, stop, found, began)
         still = f"still running at {stop.pc:04o} when --max-time was over"
         command.say((still if stop.reason is Reason.LIMIT else ended(stop, machine)) + counts)
-        for why in stop.why:
-            if why.what != KEY:
-                command.say(said(why, _listing(found), machine.core))
+        for sentence in sentences(stop, _listing(found), machine.core):
+            command.say(sentence)
     return 0 if done else 1
 
 

@@ -22,7 +22,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.use.ending import KEY, ended, explained, may_be_wrong, said
+from pdp8.computer.use.ending import ended, explained, may_be_wrong, sentences
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from pdp8.computer.use.trace import Listing
 from pdp8.computer.watch import instruction_at
@@ -111,8 +111,7 @@ class Session:
         if may_be_wrong(stop, self.machine, listing.words):
             stop = explained(stop, self.history, listing.words)
         self._explained_at = stop.pc
-        wrong = [said(why, listing, self.machine.core) for why in stop.why if why.what != KEY]
-        return ". ".join((ended(stop, self.machine), *wrong))
+        return ". ".join((ended(stop, self.machine), *sentences(stop, listing, self.machine.core)))
 
     def _suit(self, took: float) -> None:
         """Choose slices that take some milliseconds of real time each."""

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 from pal.assembling import assemble
 from pdp8.computer.use.program import FOUND
+from pdp8.computer.use.trace import Listing
 from tapes.text import lines_of
 
 _SHOWN = 5
@@ -20,6 +21,7 @@ class Answer:
     symbols: Mapping[str, int] = field(default_factory=dict)
     source: str = ""
     fault: str = ""
+    listing: Listing = field(default_factory=Listing)
 
     def address(self, place: str) -> int:
         """Return the address that octal digits name, or a tag of the answer, or a tag with an offset."""
@@ -89,4 +91,4 @@ def assembled(answer: Answer, dialect: str = FOUND) -> Answer:
     source = answer.source.upper()
     if fault:
         return Answer(answer.name, source=source, fault=fault)
-    return Answer(answer.name, assembly.words, assembly.symbols, source)
+    return Answer(answer.name, assembly.words, assembly.symbols, source, listing=Listing.of(assembly))

@@ -6,10 +6,12 @@ A case's own hints are by these words too.
 from collections.abc import Sequence
 
 from pal.isa import jumps_to
+from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason
+from pdp8.computer.use import ending
 from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
-from pdp8.lessons.trial import Outcome, last, start, turns
+from pdp8.lessons.trial import Outcome, Tried, last, start, turns
 
 NO_WORD = "no word at the start"
 LEFT = "left the program"
@@ -72,25 +74,37 @@ def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[s
     if stop.reason is Reason.BREAKPOINT:
         if outcome.instructions == 0:
             return NO_WORD, f"no word of yours is at {first:04o}"
-        how = LEFT if last(answer, whole, outcome) in (stop.pc - 1, stop.pc - 2) else JUMPED
-        return how, f"it leaves the program: no word of yours is at {stop.pc:04o}"
+        machine = last(answer, whole, outcome)
+        before = machine.values()
+        machine.run(instructions=1)
+        flags = [device.code for device in machine.bus if device.flag]
+        machine.put(before)
+        why = tuple(ending.departure(machine, stop.pc, answer.words, flags))
+        how = LEFT if why[-1].what == ending.LEFT else JUMPED
+        return how, " ".join(ending.sentences(stop._replace(why=why), answer.listing, machine.core))
+    tried = Tried(answer, whole, outcome.number)
+    tried.start(outcome.number)
+    history = History(tried.machine)
+    tried.run(outcome.number)
+    stop = ending.explained(stop, history, answer.words)
+    said = ending.sentences(stop, answer.listing, tried.machine.core)
     if stop.reason is Reason.LIMIT:
         low, high = turns(answer, whole, outcome)
         again = (
             trial.stop == Reason.TAPE_OUT and trial.tape is not None and len(outcome.tape) > len(trial.tape)
         )
         happened = AGAIN if again and _KRB not in answer.words.values() else NOT_STOPPED
-        return happened, f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
-    if stop.reason is Reason.HALT:
-        return ELSEWHERE, f"a halt at {stop.pc - 1 & 0o7777:04o}"
+        ran = f"still running after {trial.seconds:g} s, between {low:04o} and {high:04o}"
+        return happened, ". ".join((ran, *said))
+    told = ". ".join((ending.ended(stop, tried.machine), *said))
     word = outcome.core[stop.pc]
+    if stop.reason is Reason.HALT:
+        return ELSEWHERE, told
     if jumps_to(stop.pc, word, stop.pc):
-        return JUMP, f"a jump to itself at {stop.pc:04o}"
+        return JUMP, told
     if stop.reason is Reason.TAPE_OUT or word in _INPUTS:
-        return INPUT, f"waiting at {stop.pc:04o} for a key or a frame that does not come"
-    if word in _OUTPUTS:
-        return OUTPUT, f"waiting at {stop.pc:04o} for a printer that has nothing to print"
-    return NOT_STOPPED, f"a loop at {stop.pc:04o} that nothing ends"
+        return INPUT, told
+    return OUTPUT if word in _OUTPUTS else NOT_STOPPED, told
 
 
 def word(expected: int, got: int) -> str:

@@ -27,7 +27,9 @@ _BEFORE, _AFTER = 2, 4
 """Frames of a tape shown before the first wrong one, and after it."""
 _WIDEST = 60
 _FAILURES = 6
-_NO_CARET = ("the end", "the time", "instructions")
+_END = "the end"
+"""Said in whole sentences."""
+_NO_CARET = (_END, "the time", "instructions")
 _ON_ONE_LINE = {0o11: "\u2409", 0o12: "\u240a"}
 
 
@@ -93,7 +95,7 @@ def lines(failure: Failure) -> Iterator[str]:
     at = first_difference(expected, got)
     start = max(0, at - _WIDEST // 2)
     yield f"{failure.what:12} expected {_cut(expected, start)}"
-    yield f"{'':17} got {_cut(got, start)}"
+    yield f"{'':17} got {got if failure.what == _END else _cut(got, start)}"
     if failure.what not in _NO_CARET:
         yield f"{'':21} {'-' * (at - start)}^"
 

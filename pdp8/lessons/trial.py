@@ -172,12 +172,12 @@ class Tried:
         )  # fmt: skip
 
 
-def last(answer: Answer, trial: Trial, outcome: Outcome) -> int:
-    """Return the address of the last instruction before the end."""
+def last(answer: Answer, trial: Trial, outcome: Outcome) -> Machine:
+    """Return the machine before the last instruction."""
     tried = Tried(answer, trial, outcome.number)
     tried.start(outcome.number)
     tried.machine.run(instructions=outcome.instructions - 1)
-    return tried.machine.pc
+    return tried.machine
 
 
 def turns(answer: Answer, trial: Trial, outcome: Outcome) -> tuple[int, int]:

@@ -78,7 +78,7 @@ def find(answer: Answer, whole: Trial, failed: Failed) -> Place:
     """Return the place where a trial of an answer goes wrong."""
     outcome, wrong = failed.outcome, failed.failures[0]
     if outcome.stop.reason is Reason.BREAKPOINT:
-        came = last(answer, whole, outcome) if outcome.instructions else outcome.stop.pc
+        came = last(answer, whole, outcome).pc if outcome.instructions else outcome.stop.pc
         left = f"it leaves the program, from {came:04o} to {outcome.stop.pc:04o}"
         return Place(left, outcome.stop.pc, outcome.instructions)
     loops = wrong.happened in (diagnosis.NOT_STOPPED, diagnosis.JUMP)

@@ -99,8 +99,7 @@ class Monitor:
 
     def sentences(self, stop: Stop) -> list[str]:
         """Return what is wrong, in sentences."""
-        wrong = [why for why in stop.why if why.what != ending.KEY]
-        return [ending.said(why, self.listing, self.machine.core) for why in wrong]
+        return ending.sentences(stop, self.listing, self.machine.core)
 
     def address(self, text: str) -> int:
         """Return the address of `text`: octal numbers and symbols, added and subtracted."""

@@ -2,7 +2,8 @@
 
     explained(stop, history, words)      the stop with its reasons, `Stop.why`
     ended(stop, machine)                 how the run ended, in a few words
-    said(why, listing, core)             what a reason means, where, and what to try
+    sentences(stop, listing, core)       what its reasons mean, where, and what to try
+    departure(machine, to, words, flags) how the next instruction leaves the words that were loaded
 
 The last turn of an endless loop is run once more and looked at. Where a program left the words that were
 loaded is found by going back to START and running again until it leaves them: the same run, so the same way.
@@ -129,6 +130,11 @@ def ended(stop: Stop, machine: Machine) -> str:
     if waits:
         return f"the program waits at {stop.pc:04o} for a flag that nothing will raise"
     return f"an endless loop at {stop.pc:04o} that nothing can end"
+
+
+def sentences(stop: Stop, listing: Listing, core: Core) -> list[str]:
+    """Return a sentence for each thing that is wrong; waiting for a key is not."""
+    return [said(why, listing, core) for why in stop.why if why.what != KEY]
 
 
 def waits_for(machine: Machine) -> tuple[Why, ...]:
@@ -311,10 +317,10 @@ def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
             return []
         to, flags = machine.pc, [device.code for device in machine.bus if device.flag]
         history.go_to_instruction(machine.instructions - 1)
-        return _left(machine, to, words, flags)
+        return departure(machine, to, words, flags)
 
 
-def _left(machine: Machine, to: int, words: Mapping[int, int], flags: list[int]) -> list[Why]:
+def departure(machine: Machine, to: int, words: Mapping[int, int], flags: list[int]) -> list[Why]:
     """Return how the next instruction leads to address `to`, unless a device's interrupt does."""
     address = machine.pc
     word = machine.core[address]

@@ -43,7 +43,7 @@ UNDER_WAY = "a character is sent while the one before is still under way"
         ("", "\tJMP 300", 0o300, "it leaves the program, from 0202 to 0300"),
         ("", "\tNOP\n\tISZ B\n\tJMP .-1\n\tJMP .-2", 0o203, "it comes to a loop that it does not leave"),
         ("", "\tKSF\n\tJMP .-1", 0o202,
-         "it ends, the end: waiting at 0202 for a key or a frame that does not come"),
+         "it ends, the end: the reader ran out of tape, and the program waits for it at 0202"),
         ("tape='A'", f"\tIAC\n{PRINT}", 0o203, FIRST_WRONG.format(1)),
         ("page='AB'", f"{PRINT}\n{PRINT}", 0o205, FIRST_WRONG.format(2)),
         ("tape='AA'", f"\tTLS\n{PRINT}", 0o203, UNDER_WAY),

@@ -13,10 +13,14 @@ from pdp8.computer.use import ending
 from pdp8.computer.use.program import Program, read
 from pdp8.computer.use.trace import Listing
 from pdp8.console.session import Session
+from pdp8.dap.breakpoints import Breakpoints
+from pdp8.dap.debuggee import Debuggee
+from pdp8.dap.launch import Launch
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tests.conftest import Call
 from tests.pdp8.computer.bench import machine
+from tests.pdp8.lessons import exercise, mark
 
 KSF, RSF, PSF, TSF = ("6031 5200", "6011 5200", "6021 5200", "6041 5200")
 NO_CHARACTER = "no character is on its way"
@@ -141,6 +145,32 @@ def test_the_panel_says_it(death: Death) -> None:
         session.advance(0.5)
     if death.ended != "still running":
         assert session.said == ". ".join([death.ended, *death.said])
+
+
+@every_death
+def test_the_debugger_says_it(death: Death, tmp_path: Path) -> None:
+    (tmp_path / "x.pal").write_text(death.source)
+    debuggee = Debuggee(Launch.of({"program": str(tmp_path / "x.pal")}), Breakpoints())
+    debuggee.monitor.machine.panel.mem_prot = death.also == "mem_prot"
+    if death.also == "keys":
+        debuggee.monitor.machine.teletype.keyboard.press(b"\310\311")
+    debuggee.run()
+    ended = None
+    while ended is None and debuggee.monitor.machine.elapsed < 2:
+        ended = debuggee.advance()
+    if ended is not None:
+        assert debuggee.said[-len(death.said) :] == death.said or not death.said
+        assert ended.description == death.ended
+
+
+@every_death
+def test_check_says_it(death: Death) -> None:
+    """Core that was not loaded is drawn there, which is where the last program gets its address."""
+    if death.also or death.name == "autoindex":
+        pytest.skip("nobody is at the panel or the keyboard, or core differs")
+    (found,) = mark(exercise("stop='tape out'\nseconds=2"), death.source).marks
+    said = [str(failure.got) for failure in found.failures if failure.what == "the end"]
+    assert all(sentence in " ".join(said) for sentence in death.said)
 
 
 @pytest.mark.parametrize(
