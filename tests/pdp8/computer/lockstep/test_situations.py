@@ -37,7 +37,8 @@ def test_all_forms_and_the_reference_differ_in_nothing(form: str, first: int) ->
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(4), pytest.param(range(4, 4 + some(50)), marks=pytest.mark.slow("40,000 acts by WHOLE=1"))]
+    "seeds",
+    [range(4), pytest.param(range(4, 4 + some(50)), marks=pytest.mark.slow("40,000 acts by WHOLE=1"))],
 )
 def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) -> None:
     for seed in seeds:
@@ -45,7 +46,13 @@ def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) ->
 
 
 @pytest.mark.parametrize(
-    "seeds", [range(10), pytest.param(range(10, 10 + some(500)), marks=pytest.mark.slow("100,000 keys and switches by WHOLE=1"))]
+    "seeds",
+    [
+        range(10),
+        pytest.param(
+            range(10, 10 + some(500)), marks=pytest.mark.slow("100,000 keys and switches by WHOLE=1")
+        ),
+    ],
 )
 def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> None:
     for seed in seeds:
