@@ -106,7 +106,7 @@ export class Afternoon {
     bench.history.close();
     bench.aim();
     bench.switches?.card.end();
-    bench.editor.stopCounting();
+    bench.editor?.stopCounting();
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
