@@ -1,7 +1,7 @@
 """Devices by what `--device` calls them: a name, or a class in a file of one's own.
 
     pdp8 run --device highspeed prog.pal        of pdp8/computer/hardware/devices.py, dectape, or of the rack
-    pdp8 run --device clock.py:KW8 prog.pal
+    pdp8 run --device clock.py:Clock prog.pal
 
 A class of one's own is derived from Device (pdp8/computer/hardware/bus.py) and has its device code as CODE.
 Its file is run as Python runs any file: fit no device whose file you would not run.
@@ -46,7 +46,7 @@ def file_of(name: str) -> str | None:
     file, _, of_class = name.rpartition(":")
     if not (file and of_class.isidentifier()):
         raise WorkError(
-            f"{name}: {', '.join(_by_name())} are devices; for one of your own FILE:CLASS, as in clock.py:KW8"
+            f"{name}: {', '.join(_by_name())} are devices; your own are FILE:CLASS, as in clock.py:Clock"
         )
     return file
 

@@ -277,7 +277,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
       pdp8 run eia.pal --count --annotate eia.counts < circle.asc > circle.eia
       pdp8 run eia.pal --save noon.state --max-time 60 < circle.asc > first.eia
       pdp8 run --restore noon.state > rest.eia
-      pdp8 run --device clock.py:KW8 ticks.pal
+      pdp8 run --device clock.py:Clock ticks.pal
       pdp8 run --memory 8k --dectape 0=ps8.tu56 --keyboard
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """

@@ -6,7 +6,7 @@
 "reader": ["in.asc"]      tapes for the Teletype's reader, one after the other
 "punch": "out.eia"        where what was punched goes, each time that the machine stops
 "highspeed": true         fits the PC8/L
-"device": ["clock.py:KW8"]      fits devices of your own
+"device": ["clock.py:Clock"]      fits devices of your own
 "memory": "8k"            fits the MC8/L
 "dectape": ["0=ps8.tu56"]       fits a DECtape, and mounts reels
 "boot": true              loads the program from cold: RIM, BIN, tape

@@ -19,7 +19,7 @@ from tests.conftest import Call
 from tests.pdp8.web.node import in_node, needs_node, write
 from tests.test_readme import FILE, HOUSE
 
-NEEDED = "devices 13: the state needs a KW8; --device FILE:CLASS fits one, a page has none"
+NEEDED = "devices 13: the state needs a Clock, not a KW8; --device FILE:CLASS fits one"
 SECOND = "pdp8 run: HLT at 0207; no frames read, no frames punched; 1.0 s in 1971\n"
 
 
@@ -32,11 +32,11 @@ def clock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_it_runs_and_a_saved_state_needs_it(call: Call) -> None:
-    assert call("pdp8 run --device clock.py:KW8 ticks.pal") == (0, "", SECOND)
-    call("pdp8 run --device clock.py:KW8 ticks.pal --max-time 0.5 --save half.state")
-    assert json.loads(Path("half.state").read_text())["devices"]["13"]["device"] == "KW8"
+    assert call("pdp8 run --device clock.py:Clock ticks.pal") == (0, "", SECOND)
+    call("pdp8 run --device clock.py:Clock ticks.pal --max-time 0.5 --save half.state")
+    assert json.loads(Path("half.state").read_text())["devices"]["13"]["device"] == "Clock"
     assert call("pdp8 run --restore half.state") == (1, "", f"pdp8 run: half.state: {NEEDED}\n")
-    assert call("pdp8 run --restore half.state --device clock.py:KW8") == (0, "", SECOND)
+    assert call("pdp8 run --restore half.state --device clock.py:Clock") == (0, "", SECOND)
     without = call("pdp8 run ticks.pal")
     assert "It waits for device 13 at 0202 (WAIT, 6131): no such device is fitted." in without[2]
 
@@ -48,15 +48,15 @@ def test_with_one_line_it_comes_with_the_machine_and_the_page_has_it(
     """The steps of docs/pdp8.md, in a copy of the sources; the clock counts a second in JavaScript."""
     listed = translator._sources()
     path, text = listed["pdp8.computer.hardware.devices"]
-    text = text.replace("HighSpeed(),", "HighSpeed(), KW8(),")
+    text = text.replace("HighSpeed(),", "HighSpeed(), Clock(),")
     listed["pdp8.computer.hardware.devices"] = (
         path,
-        text.replace("from", "from pdp8.computer.hardware.clock import KW8\nfrom", 1),
+        text.replace("from", "from pdp8.computer.hardware.clock import Clock\nfrom", 1),
     )
     listed["pdp8.computer.hardware.clock"] = ("clock.py", Path("clock.py").read_text())
     made = translate(listed, translator.OMITTED, translator.runtime(), trusted=translator.TRUSTED)
     write(tmp_path / "page", made)
-    machine, clock = Machine(), fitting.devices(["clock.py:KW8"])[0]
+    machine, clock = Machine(), fitting.devices(["clock.py:Clock"])[0]
     machine.fit(clock())
     machine.load(program.read(Path("ticks.pal").read_bytes(), "ticks.pal").words)
     machine.start(0o200)
@@ -76,7 +76,7 @@ def test_the_monitor_fits_it_restores_it_and_steps_back(call: Call) -> None:
         "load ticks.pal\ngo 200 0.5\nsave half.state\nexamine count\nrun 0.4\nback 1000\nrestore half.state\n"
         "examine count\nrun\nassert pc 210\n"
     )
-    status, out, said = call("pdp8 monitor script --device clock.py:KW8")
+    status, out, said = call("pdp8 monitor script --device clock.py:Clock")
     assert (status, said) == (0, "")
     first, second = [line for line in out.splitlines() if line.startswith("0210")]
     assert first == second
@@ -85,13 +85,13 @@ def test_the_monitor_fits_it_restores_it_and_steps_back(call: Call) -> None:
 
 
 def test_the_debugger_fits_it() -> None:
-    monitor, _ = Launch.of({"program": "ticks.pal", "device": ["clock.py:KW8"]}).ready(str)
+    monitor, _ = Launch.of({"program": "ticks.pal", "device": ["clock.py:Clock"]}).ready(str)
     assert monitor.machine.run()[:2] == ("halt", 0o210)
     assert copy.deepcopy(monitor.machine).bus.device(0o13) is not None
 
 
 def test_a_device_in_place_of_the_fast_reader_is_restored_as_itself() -> None:
-    (clock,) = fitting.devices(["clock.py:KW8"])
+    (clock,) = fitting.devices(["clock.py:Clock"])
     clock.CODE = 0o01
     made = Machine()
     made.fit(clock())
@@ -124,7 +124,7 @@ REFUSED = {
     "wrong.py:Printer": "Printer: device 04 is fitted already",
     "wrong.py:Asks": "Asks: Asks.__init__() missing 1 required positional argument: 'what'",
     "wrong.py:Forgets": "Forgets: fields names period, and it has no such attribute",
-    "clock.py:KW8 --device clock.py:KW8": "clock.py:KW8: KW8 has device code 13 too",
+    "clock.py:Clock --device clock.py:Clock": "clock.py:Clock: Clock has device code 13 too",
 }
 
 
@@ -149,13 +149,13 @@ def test_what_is_no_device_is_refused(call: Call) -> None:
 
 
 def test_a_bus_refuses_by_name() -> None:
-    (clock,) = fitting.devices(["clock.py:KW8"])
+    (clock,) = fitting.devices(["clock.py:Clock"])
     for code in (0, -1, 0o100):
         with pytest.raises(ValueError, match="01 to 77 are allowed"):
             Machine().bus.connect(code, HighSpeed().reader_control)
     made = Machine()
     fitting.fit(made, [clock])
-    with pytest.raises(WorkError, match="KW8: device 13 is fitted already"):
+    with pytest.raises(WorkError, match="Clock: device 13 is fitted already"):
         fitting.fit(made, [clock])
 
 
@@ -168,7 +168,7 @@ def test_an_error_in_a_device_names_its_line_and_none_of_ours_is_hidden(
     Path("clock.py").write_text(clock.replace(pulse, f"{pulse}        1 // 0\n"))
     line = clock[: clock.index(pulse)].count("\n") + 2
     said = f"clock.py, line {line}: ZeroDivisionError: integer division or modulo by zero\n"
-    assert call("pdp8 run --device clock.py:KW8 ticks.pal") == (1, "", f"pdp8 run: {said}")
+    assert call("pdp8 run --device clock.py:Clock ticks.pal") == (1, "", f"pdp8 run: {said}")
 
     def broken(machine: Machine) -> str:
         raise KeyError("ours")

@@ -175,7 +175,7 @@ def _check_device(machine: Machine, code: str, fields: object) -> None:
     fitted = type(device).__name__
     kind = _object(fields, place).pop("device", fitted)
     if kind != fitted:
-        raise StateError(f"{place}: {kind!r} was saved, but {fitted!r} is fitted")
+        raise StateError(f"{place}: the state needs a {kind}, not a {fitted}; --device FILE:CLASS fits one")
 
 
 def _fields(state: dict[str, Any], path: str) -> dict[str, Any]:

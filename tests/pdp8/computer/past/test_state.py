@@ -67,19 +67,8 @@ def test_a_state_may_name_no_more_than_what_is_wanted() -> None:
 def test_every_attribute_of_a_device_is_in_its_fields_or_fixed() -> None:
     """A plain machine has a dictionary of attributes: what `fields` leave out is wired, or not of the run."""
     fixed = {"code", "behind", "bus", "device", "processor", "on_frame", "more", *PARTS}
-    fixed |= {
-        "extension",
-        "has_breaks",
-        "enabled",
-        "stored",
-        "core",
-        "_core",
-        "forms",
-        "_words",
-        "first",
-        "endless",
-        "turn_first",
-    }
+    fixed |= {"extension", "has_breaks", "enabled", "stored", "core", "_core", "forms", "_words", "first"}
+    fixed |= {"endless", "turn_first", "iot"}
     m = machine_module("plain").Machine()
     m.fit(m.highspeed)
     parts = [m.processor, m.bus, m.waiting, m.waiting.left, *m.bus]
@@ -106,7 +95,7 @@ OBJECT, OCTAL, NUMBER = (
         (given(devices={"05": {}}), "devices 05: the state needs a device of this code"),
         (
             given(devices={"03": {"device": "Clock"}}),
-            "devices 03: 'Clock' was saved, but 'Receiver' is fitted",
+            "devices 03: the state needs a Clock, not a Receiver",
         ),
         (given(devices={"100": {}}), f'devices 100: "100" {OCTAL} 77'),
         (given(devices=[]), f"devices: [] {OBJECT}"),
