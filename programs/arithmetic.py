@@ -318,6 +318,8 @@ _BIAS: Final = 0o200 + 27
 def _word(value: Float) -> tuple[int, int]:
     """Mantissa of 27 bits and exponent, as FLOAT has them."""
     shift = 27 - value.mantissa.bit_length()
+    if shift < 0:  # rounded up to a power of two
+        return value.mantissa >> -shift, value.exponent - shift
     return value.mantissa << shift, value.exponent - shift
 
 

@@ -167,10 +167,11 @@ def tape() -> None:
     needs="--svg",
     help="Draw pages of this paper, with a ruler and marks to cut: print at 100 %.",
 )
-@click.option(
+@option(
     "--cut",
     type=Target("drawing"),
     metavar="FILE.svg|FILE.dxf",
+    excludes="--code",
     help="Write outline and holes, in millimetres, for a laser that cuts.",
 )
 def show(

@@ -239,7 +239,7 @@ def test_every_command_has_help_with_examples() -> None:
         ("cut", ["0.0", "2.0", "0.1", "1; x>=1"]),
         ("plot", [_ORIGIN, *_KNOWN, "10.0", "standard output"]),
         ("inspect", [_ORIGIN, *_KNOWN]),
-        ("export", [_ORIGIN, *_KNOWN, "0.1", "0.25", "standard output"]),
+        ("export", [_ORIGIN, _KNOWN[0], "0.1", "0.25", "standard output"]),
     ):
         said = CliRunner().invoke(nc, [*command.split(), "--help"], max_content_width=100).output
         found = re.findall(r"\[default:\s+([^]]*)\]", said)

@@ -451,6 +451,9 @@ HIDDEN: Final = {
     "vectors": "80 MB: tests/pdp8/vectors",
     "run --disk": "needs a program for the disk: tests/pdp8/computer/test_rack.py",
     "run --save-disk": "the same",
+    "run --memory --boot": "its program uses one field and no DECtape: tests/pdp8/computer/dectape",
+    "run --dectape --boot": "the same",
+    "run --dectape --restore": "the same",
     "run --printer": "needs a program that prints: tests/pdp8/computer/test_rack.py",
     "replay --fortran": "needs DEC's tape of PS/8: tests/pdp8/replay/test_fortran.py",
 }

@@ -107,7 +107,7 @@ BODY = (
     " def pulse(self, iop, ac, now): return 0\n"
 )
 REFUSED = {
-    "clock.py": "clock.py: teletype, highspeed, dectape, kw8, lp08, pt08, df32 are devices; for one of",
+    "clock.py": "clock.py: teletype, highspeed, dectape, kw8, lp08, pt08, df32 are devices; your own are",
     "highspeed --device highspeed": "highspeed: HighSpeed has device code 01 too",
     "teletype": "Teletype: device 04 is fitted already",
     "none.py:KW8": "none.py: no such file",

@@ -95,7 +95,7 @@ pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
 pdp8 run --restore x --boot -> --boot does not go with --restore
 pdp8 run hello.pal --loader x -> --loader means nothing without --boot
 pdp8 run hello.pal --line x --reader y -> --line does not go with --reader
-pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --line
+pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --printer
 pdp8 run --restore a.bin --force -> --force means nothing without PROGRAM
 pdp8 check --list add -> --list goes alone: leave out EXERCISE
 pdp8 check add --prove a.pal --json x -> goes with EXERCISE and --seed alone: leave out ANSWER and --json

@@ -68,7 +68,7 @@ async function room(reduced = false) {
   const story = Array.from({ length: 8 }, (_, at) => [`${at}`, `act ${at}`]);
   const bench = {
     released: [], machine: await machine(), record: { afternoon: { machines: [[0]], story } }, say: nothing, show: nothing, first: nothing,
-    clock: { pictures: { stop: nothing } }, sound: { hum: nothing }, writer: { text: nothing }, adopt: (own) => (bench.machine = own),
+    clock: { pictures: { stop: nothing } }, time: { focus: nothing }, sound: { hum: nothing }, writer: { text: nothing }, adopt: (own) => (bench.machine = own),
     touch: (work) => ((bench.afternoon.on = false), work(bench.machine)),
     afternoon: { on: false, script: { now: 0, act: acts[0], day: { acts } }, lead() { this.on = true; bench.machine = bench.led; }, release: (own) => bench.released.push(own) },
   };
@@ -236,7 +236,7 @@ export const cases = {
     const made = await machine();
     made.teletype.punch.frames.append(1);
     const bench = {
-      machine: made, clock: { speed: 1 }, editor: { open: nothing, load: nothing }, shelf: { get: () => ({}) }, teletype: { mount: nothing },
+      machine: made, clock: { speed: 1 }, editor: { open: nothing, load: nothing, stopCounting: nothing }, shelf: { get: () => ({}) }, teletype: { mount: nothing },
       switches: { press: (key) => done.push(key, made.teletype.punch.frames.length, bench.teletype.leverWaits) }, time: { setSpeed: nothing },
     };
     Object.assign(Object.create(Parts.prototype), { bench, name: "a.asc" }).translate();
