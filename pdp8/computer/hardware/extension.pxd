@@ -12,5 +12,6 @@ cdef class Extension:
     @cython.locals(restores=int, field=int, which=int)
     cpdef int input_output(self, int word, int lac) noexcept
     cdef void _load_buffer(self, int field) noexcept
+    cpdef bint changes_field(self) noexcept
     cpdef void load_inst_field(self) noexcept
     cpdef void interrupt(self) noexcept

@@ -92,6 +92,10 @@ class Extension:
         self.inst_buffer = field
         self.inhibit = 1
 
+    def changes_field(self) -> bool:
+        """Whether the next JMP or JMS goes to another field or ends the inhibition of interrupts."""
+        return self.inhibit != 0 or self.inst_buffer != self.inst_field
+
     def load_inst_field(self) -> None:
         """LOAD IF, by a JMP or JMS."""
         self.inst_field = self.inst_buffer

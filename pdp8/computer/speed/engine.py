@@ -149,7 +149,7 @@ class Engine:
         p = self.processor
         if p.next != FETCH or self.waiting.stepping:
             return 0
-        if self.wall != _wall(p.mem_prot) or p.extension.inhibit:
+        if self.wall != _wall(p.mem_prot) or p.extension.changes_field():
             return 0
         if not piece.reaches(p.extension.inst_field // FIELD, p.extension.data_field // FIELD):
             return 0

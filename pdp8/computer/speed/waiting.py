@@ -16,6 +16,7 @@ instructions and of ticks stays exact.
 from array import array
 
 from pal.isa import BREAK, FETCH, IOT, JMP, jumps_to, tests_flag
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.fields import BIT, CORE, COUNT, FRAMES, PART, TICK, saved
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, NEVER
@@ -28,6 +29,8 @@ _STEPS = 5_000
 
 _FLAG_TICKS = CYCLE + IO_TICKS + CYCLE
 """A turn of KSF, JMP .-1."""
+_FIELDS = 0o2
+"""The first digit of the codes of the memory extension."""
 _FORGOTTEN = -1
 
 
@@ -145,6 +148,8 @@ class Waiting:
         word = self._words[field | p.pc]
         code = word >> 3 & 0o77
         if not tests_flag(word) or not jumps_to(p.pc, self._words[field | behind], behind):
+            return False
+        if p.extension.changes_field() or (p.extension.size > FIELD and code >> 3 == _FIELDS):
             return False
         if p.ion and p.bus.request(p.clock):
             return False

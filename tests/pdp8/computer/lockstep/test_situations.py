@@ -1,5 +1,7 @@
 """The machine beside the reference in some situations; `make lockstep N=...` runs more."""
 
+from collections.abc import Sequence
+
 import pytest
 
 from tests.pdp8.computer.lockstep.play import play
@@ -62,10 +64,10 @@ def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> N
 @pytest.mark.parametrize(
     "seeds",
     [
-        range(8),
-        pytest.param(range(8, 8 + some(2000)), marks=pytest.mark.slow("20 million instructions by WHOLE=1")),
+        [*range(6), 52, 135],  # CDF, JMP .-1; a field that waits after START
+        pytest.param(range(6, 6 + some(2000)), marks=pytest.mark.slow("20 million instructions by WHOLE=1")),
     ],
 )
-def test_nor_do_fields_and_data_breaks(form: str, seeds: range) -> None:
+def test_nor_do_fields_and_data_breaks(form: str, seeds: Sequence[int]) -> None:
     for seed in seeds:
         same(form, seed, in_the_rack(seed, LONGEST[form]))
