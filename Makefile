@@ -36,7 +36,7 @@ test: lint ## lint, types and tests, in five minutes: before each commit
 
 .PHONY: check
 check: .venv/ready-check build/tei_all.rng ## pages in browsers, photographs, the site and all that is slow, in ten minutes
-	$(BIN)/pytest -q -n auto --dist loadfile --no-loadscope-reorder -m slow
+	$(BIN)/pytest -q -n auto --dist loadfile --no-loadscope-reorder -m "$(if $(WHOLE),slow,slow and not rare)"
 
 # The schema of the TEI that `thesis evidence --tei` writes; without a network its test is skipped.
 build/tei_all.rng: | .venv/bin/pip

@@ -61,6 +61,8 @@ export class NamedTuple extends Record {
   [Symbol.iterator]() { return fields(this).values(); }
 }
 const fields = (of) => of.constructor.$fields.map((name) => of[name]);
+for (let place = 0; place < 8; place++) // where a tuple is declared a record may come
+  Object.defineProperty(NamedTuple.prototype, place, { get() { return this[this.constructor.$fields[place]]; } });
 export class StrEnum {
   static [Symbol.iterator]() { return Object.values(this).values(); }
 }

@@ -20,7 +20,7 @@ __all__ = ["Browser", "Locator", "Page"]
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 DESK = "#workbench"
 """Behind the address of the page: it opens at the desk, not in the room."""
-PATIENCE = 120
+PATIENCE = 45
 """Seconds in which what is waited for has to come, also where much else runs."""
 AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.min.js"
 needs_axe = pytest.mark.skipif(

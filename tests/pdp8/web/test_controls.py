@@ -199,7 +199,7 @@ CONTROLS = {
     "#pause": Control("workbench.room.playing", f"{ROOM} workbench.room.go({{ value: 5 }});"),
     "#hear": Control("workbench.sound.on", ROOM),
     "#take": Control("workbench.room.live", ROOM),
-    "#write": Control("workbench.room.open", ROOM),
+    "#write": Control("workbench.room.open", f"{ROOM} if (workbench.room.live) workbench.room.take();"),
     "#leave": Control("workbench.room.open", ROOM),
     "#help": Control(
         f"[{P}.pc, {P}.sr]", f"{TAKEN} {MACHINE}.panel.stop(); {MACHINE}.panel.sr = 0; workbench.touched();"

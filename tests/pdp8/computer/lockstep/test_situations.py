@@ -65,7 +65,7 @@ def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> N
     "seeds",
     [
         [*range(6), 52, 135],  # CDF, JMP .-1; a field that waits after START
-        pytest.param(range(6, 6 + some(2000)), marks=pytest.mark.slow("20 million instructions by WHOLE=1")),
+        pytest.param(range(6, 6 + some(400)), marks=pytest.mark.slow("4 million instructions by WHOLE=1")),
     ],
 )
 def test_nor_do_fields_and_data_breaks(form: str, seeds: Sequence[int]) -> None:
