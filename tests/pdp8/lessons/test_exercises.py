@@ -47,7 +47,8 @@ def test_an_exercise_tells_its_mistakes_from_its_solution(name: str) -> None:
     assert bool(others) == bool(given.cases), "a table of the shown cases answers them all"
 
 
-@pytest.mark.slow  # a hundred slips of each of 20 solutions
+@pytest.mark.slow
+@pytest.mark.rare("a hundred slips of each of 20 solutions, 2 min")
 @pytest.mark.parametrize("name", form.bundled())
 def test_no_slip_is_taken_for_right_by_luck(name: str) -> None:
     slips = proof.slips(lambda seed: form.read(name, seed), 1)

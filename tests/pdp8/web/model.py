@@ -277,6 +277,9 @@ class Model:
         tape = self.page.evaluate("[...workbench.shelf.get(workbench.teletype.name).frames]")
         made = method.translated(EIA_PAL, bytes(tape)).teletype.punch.tape
         assert facts["punched"] == [frame & 0o177 for frame in made], "its tape, and nothing before it"
+        self.page.evaluate(
+            "workbench.machine.panel.stop(); workbench.touched()"
+        )  # it would read the next tape
         self.laid = False
         self.tapes, self.mounted, self.punched = facts["tapes"], facts["mounted"], facts["punched"]
         self.sr, self.program, self.text = facts["sr"], facts["program"], facts["text"]

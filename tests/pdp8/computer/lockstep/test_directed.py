@@ -161,7 +161,10 @@ def test_an_interrupt_that_is_due_in_a_program_that_computes(form: str) -> None:
         same(form, words, put("pc", 0o200), *runs(*pieces))
 
 
-@pytest.mark.parametrize("observed", [False, pytest.param(True, marks=pytest.mark.slow("100,000 words"))])
+@pytest.mark.parametrize(
+    "observed",
+    [False, pytest.param(True, marks=[pytest.mark.slow, pytest.mark.rare("100,000 words, 1 min")])],
+)
 @pytest.mark.parametrize("first", [0o6000, 0o7000])
 def test_every_iot_and_every_opr(first: int, observed: bool, form: str) -> None:
     """TAD I 10 twice, the word, IAC, DCA I 11, RAL, DCA I 12: AC, link and whether it skipped go to core.
