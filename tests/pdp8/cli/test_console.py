@@ -7,7 +7,10 @@ import pytest
 
 from tests.commands import Terminal
 
-pytestmark = pytest.mark.slow("a person at a terminal, who looks before typing")
+pytestmark = [
+    pytest.mark.slow("a person at a terminal, who looks before typing"),
+    pytest.mark.rare("timed by the wall"),
+]
 _STYLE = re.compile(rb"\x1b\[[0-9;?]*[A-Za-z]|\x1b[=>]")
 
 
