@@ -33,7 +33,7 @@ class Reels:
 
     def look_at(self, machine: Machine) -> None:
         """Turn to the drives of a machine; none where no DECtape is fitted."""
-        self.drives = next((each.drives for each in machine.devices if isinstance(each, TC08)), ())
+        self.drives = drives(machine.devices)
         mounted = [unit for unit, drive in enumerate(self.drives) if drive.image is not None]
         self.names = {unit: self.names.get(unit, f"dt{unit}.tu56") for unit in mounted}
 
@@ -90,12 +90,9 @@ class Reels:
                 yield f"{self.said(unit)}, and not saved: {said}"
 
 
-def drives(devices: Iterable[Peripheral]) -> list[Transport]:
-    """Return the drives of the DECtape control among `devices`. Raises WorkError if there is none."""
-    for device in devices:
-        if isinstance(device, TC08):
-            return device.drives
-    raise WorkError("no DECtape is fitted")
+def drives(devices: Iterable[Peripheral]) -> Sequence[Transport]:
+    """Return the drives of the DECtape control among `devices`, none if there is no control."""
+    return next((each.drives for each in devices if isinstance(each, TC08)), ())
 
 
 def drive(text: str) -> int:

@@ -7,7 +7,7 @@ A file that ends after a whole block is the beginning of a tape, as SIMH takes i
 """
 
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterable
 from functools import cached_property
 
 from tapes.errors import TapeError
@@ -40,14 +40,14 @@ class Image:
         """SHA-256 of the words, which names the image in a saved state."""
         from hashlib import sha256  # only for who saves a state
 
-        return sha256(_bytes(self.words)).hexdigest()
+        return sha256(packed(self.words)).hexdigest()
 
     def content(self) -> bytes:
         """Return the image as a file has it: 128 words a block if it came so and the last words are 0."""
         last = any(self.words[at] for at in range(WORDS - 1, len(self.words), WORDS))
         width = WORDS if last else self.width
         rows = (self.words[at : at + width] for at in range(0, len(self.words), WORDS))
-        return b"".join(_bytes(row) for row in rows)
+        return b"".join(packed(row) for row in rows)
 
 
 def blank() -> Image:
@@ -81,14 +81,6 @@ def is_image(content: bytes) -> bool:
     return len(content) in [2 * BLOCKS * width for width in _WIDTHS]
 
 
-def changed_blocks(before: Image, after: Image) -> Iterator[int]:
-    """Yield the numbers of the blocks in which two images differ."""
-    for block in range(BLOCKS):
-        first, end = WORDS * block, WORDS * (block + 1)
-        if before.words[first:end] != after.words[first:end]:
-            yield block
-
-
 def _no_image(length: int) -> str:
     lengths = " or ".join(f"{2 * BLOCKS * width:,}" for width in _WIDTHS)
     what = _OTHERS.get(length)
@@ -96,6 +88,6 @@ def _no_image(length: int) -> str:
     return f"{said}; a DECtape image has {lengths}"
 
 
-def _bytes(words: "array[int]") -> bytes:
-    """Return words, each as two bytes, the low one first."""
+def packed(words: "Iterable[int]") -> bytes:
+    """Return words as images have them: each in two bytes, the low one first."""
     return bytes(part for word in words for part in (word & 0o377, word >> 8))

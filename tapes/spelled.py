@@ -8,7 +8,7 @@
     frames      102 / 000 / 073          the frames of a BIN tape, octal, one a line, often without a checksum
 
 A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
-and what is between `/*` and `*/`. Intel's hexadecimal format is not read: no tool for a PDP-8 writes it.
+and what is between `/*` and `*/`. Intel's hexadecimal format is not read.
 """
 
 from collections.abc import Callable, Mapping

@@ -55,7 +55,7 @@ def extract(*, image: str, name: str, form: str | None, output: str) -> None:
         words = os8.words(reel, name)
     kind = _form(name, form)
     if kind == "words":
-        command.put(output, b"".join(word.to_bytes(2, "little") for word in words))
+        command.put(output, dectape.packed(words))
     else:
         command.put(output, os8.frames(words) if kind == "tape" else os8.text(words).encode())
 

@@ -12,7 +12,7 @@ from pal.disassembler import microinstruction
 from pal.isa import FETCH, INDIRECT, IOT, OPERATIONS
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
-from pdp8.computer.watch import wrote
+from pdp8.computer.watch import memory_address, wrote
 
 _RING = 8192
 """Instructions that are remembered: more than the longest loop that is passed over."""
@@ -47,17 +47,17 @@ class Count:
         """Count a memory cycle that has ended, an instruction's or an interrupt's."""
         p = processor
         if p.state == FETCH:
-            self._execute(p.extension.field | p.ma, p.mb, 1)
-            self._last.append(_Executed(p.extension.field | p.ma, p.mb, self.ticks, []))
+            self._execute(memory_address(p), p.mb, 1)
+            self._last.append(_Executed(memory_address(p), p.mb, self.ticks, []))
             if p.ir == IOT:
                 self.ticks += IO_TICKS
         self.interrupts += interrupt
         self.cycles += 1
         self.ticks += CYCLE
         if wrote(p):
-            self.written[p.extension.field | p.ma] += 1
+            self.written[memory_address(p)] += 1
             if self._last:
-                self._last[-1].written.append(p.extension.field | p.ma)
+                self._last[-1].written.append(memory_address(p))
 
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """Count skipped turns of the loop that the processor is in."""

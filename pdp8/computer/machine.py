@@ -158,7 +158,7 @@ class Machine:
         self.panel.stop()
 
     def wait(self, seconds: float) -> None:
-        """Let the Teletype go on, the processor stopped. Raises ValueError for a time below 0 or NaN."""
+        """Let time pass with the processor stopped. Raises ValueError for a time below 0 or NaN."""
         ticks = _ticks(seconds)
         if ticks == 0:
             return

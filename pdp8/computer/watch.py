@@ -54,7 +54,11 @@ class Watch:
 
     def called(self, processor: Processor) -> bool:
         """Tell whether the last cycle was that of a JMS to a breakpoint."""
-        return processor.state == EXECUTE and processor.ir == JMS and _place(processor) in self.breakpoints
+        return (
+            processor.state == EXECUTE
+            and processor.ir == JMS
+            and memory_address(processor) in self.breakpoints
+        )
 
     def cycle(self, processor: Processor) -> None:
         """Run one memory cycle, and look at it."""
@@ -62,16 +66,16 @@ class Watch:
         processor.cycle()
         if wrote(processor):
             self.reached |= self.called(processor)
-            if _place(processor) in self.writes:
-                self.written.add(_place(processor))
-        if _place(processor) in self.reads and read(processor):
-            self.read.add(_place(processor))
+            if memory_address(processor) in self.writes:
+                self.written.add(memory_address(processor))
+        if memory_address(processor) in self.reads and read(processor):
+            self.read.add(memory_address(processor))
         self.reached |= bool(self.written or self.read)
         if self.observer:
             self.observer.cycle(processor, interrupt)
 
 
-def _place(processor: Processor) -> int:
+def memory_address(processor: Processor) -> int:
     """Return MA with the field in front of it."""
     return processor.extension.field | processor.ma
 

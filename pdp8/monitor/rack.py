@@ -19,8 +19,8 @@ def attach(monitor: Monitor, first: str, *more: str) -> None:
     if names[0].lower() in _PAPER:
         raise MonitorError(f"{names[0]}: reader TAPE puts a paper tape in, punch FILE takes one off")
     unit, mounted = reels.drive(names[0]), monitor.reels
-    if unit in mounted.names and mounted.changed(unit):
-        raise MonitorError(f"{mounted.said(unit)}; detach {names[0]} FILE saves them, or forget drops them")
+    if unit in mounted.names:
+        _check_saved(monitor, unit)
     mounted.read(unit, names[1])
     if not mounted.drives:
         monitor.machine.fit(TC08())
@@ -37,9 +37,16 @@ def detach(monitor: Monitor, name: str, where: str = "") -> None:
         raise MonitorError(f"dt{unit}: no tape is mounted")
     if where not in ("", "forget"):
         monitor.say(mounted.save(unit, where))
-    elif mounted.changed(unit) and not where:
-        raise MonitorError(f"{mounted.said(unit)}; detach dt{unit} FILE saves them, or forget drops them")
+    elif not where:
+        _check_saved(monitor, unit)
     mounted.unmount(unit)
+
+
+def _check_saved(monitor: Monitor, unit: int) -> None:
+    """Raise MonitorError if a reel has blocks that were written and not saved."""
+    if monitor.reels.changed(unit):
+        written = monitor.reels.said(unit)
+        raise MonitorError(f"{written}; detach dt{unit} FILE saves them, or forget drops them")
 
 
 def boot(monitor: Monitor, name: str, *force: str) -> None:

@@ -76,11 +76,6 @@ class Session:
         """What was typed."""
         return bytes(frame & 0o177 for frame in self.teletype.printer.frames).decode("ascii")
 
-    def boot(self) -> Iterator[None]:
-        """Boot PS/8 from drive 0; loading its bootstrap takes no time."""
-        reels.boot(self.machine)
-        yield from self.until(".", _BOOTED)
-
     def type(self, line: str, prompt: str = "", ended: str = "\r") -> Iterator[None]:
         """Type a line, and run until the program has typed `prompt` and waits."""
         self.machine.wait(_PAUSE)

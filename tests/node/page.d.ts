@@ -1,5 +1,4 @@
-// What tsc is told of the page: types that its modules share; some elements have these, and which one stands at a place only
-// the page knows.
+// Types for tsc that the page's modules share. Which kind of element a name finds only the page knows.
 
 type Act = import("./pdp8/replay/day.mjs").Act;
 type Assembly = import("./pal/assembly.mjs").Assembly;

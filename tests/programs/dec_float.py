@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from pdp8 import reels
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.replay.fortran import Session, rack
@@ -41,10 +42,11 @@ def _operand(draw: random.Random) -> int:
 
 
 def _started(reel: dectape.Image) -> Machine:
-    """Return a machine that stands at the PAUSE."""
+    """Return a machine that has halted at the PAUSE."""
     machine = rack(os8.insert(reel, "REC.FT", os8.from_text(_PROGRAM)))
     session = Session(machine)
-    for _ in session.boot():
+    reels.boot(machine)
+    for _ in session.until("."):
         pass
     for line, prompt in (("R FORT", "*"), ("REC<REC", "."), ("R LOADER", "*")):
         for _ in session.type(line, prompt):

@@ -8,14 +8,13 @@ Along the tape there are lines of three bits, 30 a millisecond at full speed, in
 
     end zone 49,152 lines | 1474 blocks of 576 | end zone 49,152 lines
 
-The tape can be read while it is faster than half its speed. A transport that is no longer selected goes on as
-it was told, and stops at the end of its tape.
+The tape can be read while it is faster than half its speed. A transport that is no longer selected keeps
+moving, and stops at the end of its tape.
 
 Times are in ticks, places in thousandths of a line.
 
 By convention, as they differ from one transport to another: the times to speed and to rest, with constant
-acceleration; 10 feet of end zone; a tape that is mounted stands in the end zone before block 0, 3000 lines
-from it.
+acceleration; 10 feet of end zone; a tape is mounted in the end zone, 3000 lines before block 0.
 
 Sources: DEC TU55 manual (100 and 150 ms); the transport of drovak/verilogpdp, pdp8i/tu55.v (its acceleration,
 and signals from half speed).

@@ -32,6 +32,7 @@ from typing import Final
 from pdp8.computer.hardware.bus import BreakDevice, Bus, Device
 from pdp8.computer.hardware.fields import BIT, FRAMES, TICK, saved
 from pdp8.computer.hardware.signals import CLEAR_AC, NEVER, SKIP
+from tapes.dectape import packed
 
 DISC = 0o100000
 LOCKED_TOGETHER = 0o40000
@@ -76,8 +77,8 @@ class DF32(BreakDevice):
 
     @property
     def content(self) -> bytes:
-        """The words as an image has them, each in two bytes, the low one first: 65,536 bytes a disc."""
-        return b"".join(word.to_bytes(2, "little") for word in self.words)
+        """The words as an image has them: 65,536 bytes a disc."""
+        return packed(self.words)
 
     @content.setter
     def content(self, content: bytes) -> None:

@@ -15,6 +15,7 @@ from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATE
 from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
+from pdp8.computer.watch import memory_address
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -102,7 +103,7 @@ class Trace:
         """Take in the cycle that has ended; write its line, or the instruction's when that has ended."""
         p = processor
         if p.state == FETCH:
-            self._what = self._listing.line(p.extension.field | p.ma, p.mb, p)
+            self._what = self._listing.line(memory_address(p), p.mb, p)
         elif interrupt:
             self._what = "            JMS 0: an interrupt"
         if self._cycles or p.state == FETCH or interrupt:
@@ -129,5 +130,4 @@ def _time(ticks: int) -> str:
 def _lamps(processor: Processor) -> str:
     """Return L, AC, MA and MB as the lamps show them."""
     p = processor
-    ma = p.extension.field | p.ma
-    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {ma:04o} {p.mb:04o}"
+    return f"{p.lac >> 12} {p.lac & 0o7777:04o}  {memory_address(p):04o} {p.mb:04o}"
