@@ -116,8 +116,8 @@ class Inspection:
 
     @property
     def furthest(self) -> Reading:
-        """The reading with the greatest error, at one place if possible."""
-        return max(self.readings, key=lambda reading: (abs(reading.error), reading.angle is not None))
+        """The reading with the greatest error to .0001 in, at one place if possible."""
+        return max(self.readings, key=lambda reading: (round(abs(reading.error), 1), reading.angle is not None))
 
     @property
     def within_tolerance(self) -> bool:

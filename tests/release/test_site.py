@@ -26,7 +26,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     environment = {**os.environ, "NO_MKDOCS_2_WARNING": "1"}
     done = subprocess.run(command, cwd=HOUSE, env=environment, stderr=subprocess.PIPE, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
-    assert sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) < 16 << 20
+    assert sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) < 20 << 20
     return folder
 
 
