@@ -372,6 +372,7 @@ def test_a_frame_is_counted_from_one(page: Page) -> None:
 
 def test_the_errors_of_the_step_wise_slope_are_opposite(page: Page) -> None:
     """X 20 % too fast and Y 20 % too slow take the minutes that Python has for them, not those of both."""
+    _set(page, "#stepwise [name=angle]", 30)
     figure = _set(page, "#stepwise [name=dx]", 20)
     band = figure.locator("[name=tolerance] ~ output").inner_text()
     thousandths = 1000 * float(re.findall(r"\d*\.\d+", band)[-1])
