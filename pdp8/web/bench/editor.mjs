@@ -88,6 +88,7 @@ export class Editor {
   /** Open a source as a program of its own: nothing that is kept is written over. */
   put(/** @type {string} */ name, /** @type {string} */ text) {
     bounded(text);
+    this.keep(); // first: what is open and was written in may have had this very text
     this.#turn(this.bench.programs.take(name, text));
   }
 

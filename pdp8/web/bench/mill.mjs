@@ -25,6 +25,7 @@ export class Mill {
     this.bench = bench;
     this.drawing = null;
     this.part = 0;
+    /** @type {[number, string] | null} */ this.asked = null; // what the tape that is made of the tolerance is made of
     /** @type {Path} */ this.path = LATER;
     /** @type {Step[]} */ this.steps = [];
     /** @type {HTMLElement[]} */ this.rows = [];
@@ -44,6 +45,7 @@ export class Mill {
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
   cut(/** @type {string} */ name) {
     this.name = name;
+    this.asked = null; // what is on its way is another tape's
     const frames = this.bench.shelf.get(name).frames;
     const { path, refusal } = carriedOut(frames);
     this.lay(name, frames, path, refusal);
@@ -54,7 +56,8 @@ export class Mill {
   /** Cut the circle within another tolerance: its tape is made by the whole chain, on another machine. */
   async loosen(/** @type {HTMLInputElement} */ { value }) {
     const tolerance = TOLERANCES[Number(value)];
-    const asked = (this.asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")]);
+    /** @type {[number, string]} */ const asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")];
+    this.asked = asked;
     const frames = bytes(await this.bench.apart.ask("loosened", asked, TAKES));
     if (this.asked !== asked) return;
     const { path, refusal } = carriedOut(frames);

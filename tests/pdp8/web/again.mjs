@@ -53,7 +53,7 @@ Object.assign(globalThis, {
   addEventListener: (...given) => page.addEventListener(...given), window: { devicePixelRatio: 1 },
   document: Object.assign(page, { getElementById: find, createElement: () => new Element(), body: new Element(), documentElement: new Element() }),
   history: { pushState: nothing, replaceState: nothing }, location: { hash: "", href: "", search: "" },
-  matchMedia: (query) => ({ matches: still.on && query.includes("reduced") }), requestAnimationFrame: nothing, cancelAnimationFrame: nothing,
+  matchMedia: (query) => ({ addEventListener: nothing, matches: still.on && query.includes("reduced") }), requestAnimationFrame: nothing, cancelAnimationFrame: nothing,
   sessionStorage: store(), localStorage: store(),
 });
 
@@ -229,6 +229,27 @@ export const cases = {
       return mill.part;
     });
     return [seen, [0, 0, 0.5]];
+  },
+  "a tolerance that comes after another tape was chosen is not shown": async () => {
+    const { Mill } = await get("bench/mill");
+    const frames = Object.assign(Uint8Array.of(0o40), { decode: () => "" });
+    let answer;
+    const bench = { shelf: { get: () => ({ frames }) }, tabs: { open: nothing }, record: { cutter: {} }, apart: { ask: () => new Promise((done) => (answer = done)) } };
+    const mill = new Mill(bench);
+    const loosening = mill.loosen({ value: "4" });
+    mill.cut("mine.eia");
+    answer([0o40]);
+    await loosening;
+    return [mill.name, "mine.eia"];
+  },
+  "a text that is opened again is as it was, whatever was written in it": async () => {
+    const { Editor } = await get("bench/editor");
+    const programs = new (await get("bench/store")).Store("again");
+    const editor = new Editor({ machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs, shelf: { names: () => [] }, apart: { worker: true, ask: () => new Promise(nothing) } });
+    editor.put("a.pal", "HLT");
+    editor.area.value = "HLTx";
+    editor.put("a.pal", "HLT");
+    return [[editor.text, editor.name, programs.get("a.pal")], ["HLT", "a 2.pal", "HLTx"]];
   },
   "a tape is translated onto an empty punch": async () => {
     const { Parts } = await get("bench/parts");

@@ -37,7 +37,7 @@ _OUT_OF_REACH = """() => {
 
 
 _FRAMES = "(async () => { for (let n = 4; n--; ) await new Promise(requestAnimationFrame); })()"
-"""The window is laid out, what is told is measured, the camera looks past it, what it looks at is laid out."""
+"""The window is laid out, what is told measured, the camera moved, what it looks at laid out."""
 _GROUPS = 5
 """The page is opened at so many sizes; from each the window becomes others."""
 
