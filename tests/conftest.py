@@ -40,6 +40,9 @@ if sys.platform == "win32":  # signals, terminals, devices, links and modes are 
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
 
+# One process a core is enough: threads of numpy and OpenCV would wait for each other, and take twice as long.
+os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OPENCV_FOR_THREADS_NUM": "1"}
+
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # by `&` of a script
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:  # by `nohup`
