@@ -135,7 +135,11 @@ def test_a_name_in_tape(browser: Browser, file: Path) -> None:
 @pytest.mark.parametrize(
     ("size", "turn", "do"),
     [
-        *((_DESK, turn, _by_keys) for turn in range(8)),
+        *((_DESK, turn, _by_keys) for turn in (0, 3, 6)),
+        *(
+            pytest.param(_DESK, turn, _by_keys, marks=pytest.mark.rare("9 s each"))
+            for turn in (1, 2, 4, 5, 7)
+        ),
         *((_DESK, turn, _helped) for turn in (2, 6)),
         *(zip(_SMALL, (1, 5, 7, 3, 4), [_by_mouse] * 5, strict=True)),
     ],
@@ -150,7 +154,9 @@ def test_each_act_and_size(
 
 
 @pytest.mark.slow("at random, then guided, 30 s")
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize(
+    "seed", [*range(3), *(pytest.param(n, marks=pytest.mark.rare("15 s each")) for n in range(3, 6))]
+)
 def test_from_anywhere(browser: Browser, file: Path, seed: int) -> None:
     """Who has pressed 40 keys at random is answered by what happened, and guided from there."""
     random = Random(seed)
