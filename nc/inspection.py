@@ -117,7 +117,9 @@ class Inspection:
     @property
     def furthest(self) -> Reading:
         """The reading with the greatest error to .0001 in, at one place if possible."""
-        return max(self.readings, key=lambda reading: (round(abs(reading.error), 1), reading.angle is not None))
+        return max(
+            self.readings, key=lambda reading: (round(abs(reading.error), 1), reading.angle is not None)
+        )
 
     @property
     def within_tolerance(self) -> bool:

@@ -42,6 +42,30 @@ FILES = {
     "exchanged": lines(rows("{1:.4f},{0:.4f}"), "Y,X"),
     "decimal commas by commas": lines(german("{0:.4f}, {1:.4f}")),
     "JSON": "[" + ",\n".join(rows("[{0:.4f}, {1:.4f}]")) + "]\n",
+    "Excel, micrometres": lines(german("{0:.1f};{1:.1f}", 25400), "X [µm];Y [µm]"),
+    "thousandths": lines(rows("{0:.1f} mil,{1:.1f} mil", 1000)),
+    "FreeCAD, console": "[" + ", ".join(rows("Vector ({0:.6f}, {1:.6f}, 0.0)")) + "]\n",
+    "Rhino, List": lines(rows("    CV[{2:2d}] ({0:.4f}, {1:.4f}, 0)"), "curve", "  Layer name: Default"),
+    "AutoCAD, LIST": lines(
+        rows("    at point  X={0:9.4f}  Y={1:9.4f}"), "   LWPOLYLINE  Layer: 0", "   area  5.6511"
+    ),
+    "AutoCAD, script": lines(rows("POINT {0:.4f},{1:.4f}")),
+    "AutoCAD, extracted": lines(
+        rows("1,Point,{0:.4f},{1:.4f},0"), "Count,Name,Position X,Position Y,Position Z"
+    ),
+    "Onshape": lines(rows("{0:.4f} mm, {1:.4f} mm, 0 mm", 25.4)),
+    "Fusion": lines(rows("{0:.5f},{1:.5f},0", 2.54), "X(cm),Y(cm),Z(cm)"),
+    "CATIA": lines(rows("{0:.4f};{1:.4f};0"), "StartLoft", "StartCurve") + "EndCurve\nEndLoft\nEnd\n",
+    "Creo": lines(rows("{0:.4f} {1:.4f} 0"), "Closed Index arclength", "begin section ! 1"),
+    "an airfoil": lines(rows(" {0:.6f} {1:.6f}"), "NACA 0012 AIRFOIL"),
+    "Fortran": lines(f"{at:5d}{x:10.4f}{y:10.4f}" for at, (x, y) in enumerate(POINTS)),
+    "Mathematica": "{" + ", ".join(rows("{{{0:.6f}, {1:.6f}}}")) + "}\n",
+    "pgfplots": "\\addplot coordinates {" + " ".join(rows("({0:.6f},{1:.6f})")) + "};\n",
+    "JSON by names": "[" + ", ".join(rows('{{"x": {0:.6f}, "y": {1:.6f}}}')) + "]\n",
+    "names": lines(rows("X: {0:.4f} mm, Y: {1:.4f} mm", 25.4)),
+    "numpy": lines(rows("{1:.18e},{0:.18e}"), "# y,x"),
+    "a measuring machine": lines(rows("{2},{1:.4f},{0:.4f},0"), "PointID,PosY,XCoord,PosZ"),
+    "a unit above": lines(rows("{0:.3f} {1:.3f} // top", 25.4), "% Units: millimeters"),
     "a title": lines(german("{0:.4f};{1:.4f}"), "Nocken, Blatt 1", "", "X;Y"),
 }
 
@@ -55,11 +79,16 @@ def test_a_file_is_read(name: str, code: str) -> None:
     )
 
 
+def test_a_title_says_no_unit_by_chance() -> None:
+    assert not any("lengths" in note for note in read(b"Cam made in Germany\n1,2\n3,4\n").notes)
+
+
 def test_an_angle_and_a_radius_are_polar() -> None:
     text = "Winkel;Radius\n0°;1,5\n90°;2\n180°;1\n"
     found = read(text.encode()).places
     assert [hypot(*place) for place in found] == pytest.approx([1.5, 2, 1])
     assert found[1] == pytest.approx((0, 2))
+    assert read("angle (gon),r [µm]\n100,25400\n200,1\n".encode()).places[0] == pytest.approx((0, 1))
     assert read(b"theta (rad),r\n1.570796,2\n3.141593,1\n0,1\n").places[0] == pytest.approx((0, 2), abs=1e-6)
 
 
@@ -71,6 +100,16 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         ("1,2\n3,4\n5\n", "line 3: '5' is not x and y of a point"),
         ("1,2,3,4\n5,6,7,9\n", "line 1: 4 columns: which are x and y?"),
         ("38.1 0\n0 38.1\n-38.1 0\n", "the points are 76.2 across, and the table is 20 in: if they are"),
+        ("(1.25),2\n3,4\n5,6\n", "line 1: '(1.25),2' is not x and y of a point"),
+        ("X= 0'-1 1/2\"  Y= 0'-2\"\n", "line 1: 'X= 0\\'-1 1/2\"  Y= 0\\'-2\"': no points"),
+        ("1.0e+03 *\n1.5 2\n3 4\n", "line 1: '1.0e+03 *' is not x and y of a point"),
+        ("G21\nG1 X1.5 Y2\nX2 Y3\n", "line 1: 'G21': no points"),
+        ("X;1,5;2,5;3,5;4\nY;1,5;2,5;3,5;4\n", "line 1: 5 columns: which are x and y?"),
+        ("NaN,5\n1,2\n3,4\n", "line 1: 'NaN,5' is not x and y of a point"),
+        ("P,N,E\n1,2,3\n2,5,6\n", "line 1: which columns are x and y?"),
+        ("X1;Y1;X2;Y2\n1;2;3;4\n", "line 1: which columns are x and y?"),
+        ("x mm,y in\n1,2\n3,4\n", "line 1: 'x mm,y in' has two units of length"),
+        ("%PDF-1.4\n1 2\n", "it is a PDF: export the points as CSV"),
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),
         ("  0\nSECTION\n", "it is a DXF drawing: export the points as CSV"),
