@@ -40,7 +40,7 @@ from pdp8.web import curve
 from pdp8.web.workbench import page
 from tests.pdp8.web import firefox
 from tests.pdp8.web.browsing import CHROMIUM, DESK, launched, until, visit
-from tests.pdp8.web.node import NODE, in_node
+from tests.pdp8.web.node import NODE, in_node, modules
 
 COUNTER = (
     "*200\nLOOP,\tTAD SUM\n\tIAC\n\tDCA SUM\n\tISZ COUNT\n\tJMP LOOP\n\tJMP LOOP\nCOUNT,\t0\nSUM,\t0\n$\n"
@@ -72,7 +72,8 @@ def kernels() -> dict[str, list[tuple[int, int]]]:
 def in_modules(call: str) -> Any:
     """Return what `call` returns in Node.js, with the page's modules as they are."""
     return in_node(
-        f'async () => {{ const {{ Machine }} = await import("@/pdp8/computer/machine.mjs"); return {call}; }}'
+        f'async () => {{ const {{ Machine }} = await import("@/pdp8/computer/machine.mjs"); return {call}; }}',
+        folder=modules(checked=False),
     )
 
 

@@ -39,7 +39,7 @@ class Answer:
         """Return a sheet's answers by their questions' names: `a: 270`."""
         found: dict[str, str] = {}
         for line in lines_of(self.source):
-            plain = line.strip()
+            plain = line.removeprefix("\ufeff").strip()
             end = 0
             while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=.)":
                 end += 1

@@ -3,6 +3,7 @@ of 200 characters.
 """
 
 import os
+import re
 import sys
 
 from pdp8 import shelf
@@ -17,6 +18,7 @@ from tapes.utf16 import is_utf16
 LARGEST = 16 * 1024
 LONGEST = 200
 """Characters of a line."""
+_ANSWER = re.compile(rb"\W*\w\W*?[:=)]")
 
 
 def read(name: str) -> Answer:
@@ -51,7 +53,8 @@ def of(content: bytes, name: str) -> Answer:
         if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file
     except WorkError as error:
-        return Answer(name, fault=str(error))
+        if not _is_sheet(content):
+            return Answer(name, fault=str(error))
     except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
     source = content.decode(errors="replace").replace("\r\n", "\n")
@@ -59,3 +62,8 @@ def of(content: bytes, name: str) -> Answer:
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
     return Answer(name, source=source)
+
+
+def _is_sheet(content: bytes) -> bool:
+    """Whether lines are answers of a sheet, `a: 270`, with whatever characters between them."""
+    return sum(bool(_ANSWER.match(line)) for line in content.split(b"\n")) > 1

@@ -151,7 +151,7 @@ class Engine:
             return 0
         if self.wall != _wall(p.mem_prot) or p.extension.changes_field():
             return 0
-        if not piece.reaches(p.extension.inst_field // FIELD, p.extension.data_field // FIELD):
+        if not piece.reaches(p.extension.inst_field, p.extension.data_field):
             return 0
         room = min(PIECE, self.waiting.next_look - p.clock, until - p.clock - LONGEST * CYCLE)
         if last - p.instructions <= _CYCLES:
@@ -214,7 +214,7 @@ class Engine:
         """Run piece by piece; return whether it ended with a JMS to a breakpoint."""
         p, waiting = self.processor, self.waiting
         while p.clock < until and p.instructions < last:
-            self.base = p.extension.inst_field // FIELD * STRIDE
+            self.base = (p.extension.inst_field >> 12) * STRIDE
             left = p.forms[self.base + (p.pc & 0o7777)] == LEFT
             if left or not self._run_piece(self._room(until, last) << 26):
                 p.instruction()
@@ -256,8 +256,8 @@ class Engine:
             self.core,
             p.forms,
             self.arg,
-            p.extension.inst_field // FIELD,
-            p.extension.data_field // FIELD,
+            p.extension.inst_field,
+            p.extension.data_field,
             self.keep,
             self.flip,
             self.plus,

@@ -23,11 +23,11 @@ cdef inline int run(
     uint16_t *keep, uint16_t *flip, uint16_t *plus,
     const unsigned char *conditions, int64_t *registers, int64_t wall, int64_t limit,
 ) noexcept:
-    cdef uint16_t *core = &words[inst << 12]
-    cdef uint16_t *own = ops + 4098 * inst
-    arg += 4098 * inst
+    cdef uint16_t *core = &words[inst]
+    cdef uint16_t *own = ops + 4098 * (inst >> 12)
+    arg += 4098 * (inst >> 12)
     if inst == data:
         return within(core, own, arg, keep, flip, plus, conditions, registers, wall, limit)
     return across(
-        core, own, arg, &words[data << 12], ops + 4098 * data, keep, flip, plus, conditions, registers, wall, limit
+        core, own, arg, &words[data], ops + 4098 * (data >> 12), keep, flip, plus, conditions, registers, wall, limit
     )

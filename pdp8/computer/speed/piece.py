@@ -56,7 +56,7 @@ def run(
     wall: int,
     limit: int,
 ) -> int:
-    """Do what `execute` does, in the instruction field `inst` and the data field `data` of all core."""
+    """Do what `execute` does, in the fields that begin at `inst`, of instructions, and `data` in all core."""
     return execute(core, ops, arg, core, ops, keep, flip, plus, conditions, registers, wall, limit)
 
 

@@ -9,6 +9,7 @@ from random import Random
 
 import pytest
 
+import pal
 from pdp8 import shelf
 from pdp8.lessons import form, handed, proof, values
 from pdp8.lessons.exercise import Exercise
@@ -191,6 +192,14 @@ def test_a_sheet_is_read_however_its_lines_are_written() -> None:
     read = handed.of(sheet.encode(), "s").lines()
     assert list(read) == ["a", "b", "c", "d", "e", "f", "g?"]
     assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8"]
+
+
+def test_a_sheet_with_control_characters_is_no_tape_but_a_spoilt_tape_is_one() -> None:
+    sheet = handed.of(b"a: 5\x1e8\x1e7\nb\x10: 9\nc: .001\nd\x14\x13: 11734\n", "s")
+    assert (sheet.fault, list(sheet.lines())[:1]) == ("", ["a"])
+    tape = pal.assemble("*200\n\tCLA CLL IAC\n\tHLT\n$\n").tape.strip(b"\200")
+    spoilt = handed.of(tape[:-1] + bytes([tape[-1] ^ 1]), "t.bin")
+    assert "checksum" in spoilt.fault
 
 
 UNTOLD = """title='t'
