@@ -71,10 +71,8 @@ def kernels() -> dict[str, list[tuple[int, int]]]:
 
 def in_modules(call: str) -> Any:
     """Return what `call` returns in Node.js, with the page's modules as they are."""
-    return in_node(
-        f'async () => {{ const {{ Machine }} = await import("@/pdp8/computer/machine.mjs"); return {call}; }}',
-        folder=modules(checked=False),
-    )
+    imported = 'const { Machine } = await import("@/pdp8/computer/machine.mjs");'
+    return in_node(f"async () => {{ {imported} return {call}; }}", folder=modules(checked=False))
 
 
 @contextmanager

@@ -45,7 +45,7 @@ _CALLED = """(calls) => Promise.all(calls.map(async ([module, name, ...given]) =
 
 @cache
 def modules(checked: bool = True) -> Path:
-    """Return the folder in which all modules stand, for as long as this process lives: checked, or as shipped."""
+    """Return the folder where all modules stand, as long as this process lives: checked, or as shipped."""
     folder = Path(tempfile.mkdtemp(prefix="pdp8-modules-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     with patch.dict(translator.MODULES, {"tests.pdp8.computer.lockstep": "breaker"}):
