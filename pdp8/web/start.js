@@ -2,7 +2,7 @@
 // Unpacks the page's scripts and data: compressed they are a third as large. The first script is run at once, the
 // second when it is wanted.
 //
-// What fails is said in a bar at the foot of the page, with a way on: a script's error, at any time; what this browser has not.
+// What fails is said in a bar at the head of the page, with a way on: a script's error, at any time; what this browser has not.
 globalThis.pack = (() => {
   const stumble = (words) => {
     const place = document.getElementById("stumbled") ?? document.body.appendChild(document.createElement("p"));
