@@ -17,8 +17,7 @@ class Control(NamedTuple):
 
     watch   an expression of the page: when its value becomes another one, the control works
     before  statements that bring the page to where it can be used; `which` of those that are alike it is
-    keys    what works it by keyboard; lists, texts and regions get them after the pointer, too; a list gets a
-            letter, which works it whether or not the pointer has opened it
+    keys    what works it by keyboard; texts and regions get them after the pointer, too; lists get only them
     focus   what has the focus for that, if not the control
     within  what in it is pointed at, where its middle is another control
     """
@@ -251,13 +250,7 @@ def test_every_control_works(tab: Tab, way: str) -> None:
         count = tab.run(f"return document.querySelectorAll({json.dumps(selector)}).length")
         for which in range(min(count, _OF_A_FAMILY)):
             with case(selector, which):
-                try:
-                    _try(tab, control, selector, which, way)
-                except AssertionError:
-                    is_list = f"return document.querySelector({json.dumps(selector)}).matches('select')"
-                    if not tab.run(is_list):
-                        raise
-                    _try(tab, control, selector, which, way)  # the list was not open yet when its key came
+                _try(tab, control, selector, which, way)
 
 
 def _try(tab: Tab, control: Control, selector: str, which: int, way: str) -> None:
@@ -271,6 +264,8 @@ def _try(tab: Tab, control: Control, selector: str, which: int, way: str) -> Non
 def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> None:
     """Work a control by mouse, touch or keyboard."""
     first = f"document.querySelector({json.dumps(selector)})"
+    if tab.run(f"return !!{first}?.matches('select')"):
+        way = "keyboard"  # a list that a pointer has opened is the browser's, not the page's
     if way == "keyboard":
         focus = json.dumps(control.focus or selector)
         tab.run(f"document.querySelectorAll({focus})[{0 if control.focus else which}].focus()")
@@ -279,5 +274,3 @@ def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> No
     if way == "keyboard" or tab.run(f'return !!{first}?.matches("{_FIELDS}")'):  # it may be gone
         for keys in control.keys.split():
             tab.press(keys)
-        if way != "keyboard" and tab.run(f"return {first}.matches('select')"):
-            tab.press("Enter")  # the list that the pointer has opened
