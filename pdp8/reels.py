@@ -1,4 +1,4 @@
-"""DECtapes between files and the drives of a machine.
+"""DECtapes between files and the drives of a machine, and the discs of a DF32.
 
 A file that was mounted is not written: what the program changed is on the reel in the machine, until it is
 saved in a file of its own. What nobody saved is left beside the file it came from.
@@ -6,13 +6,15 @@ saved in a file of its own. What nobody saved is left beside the file it came fr
 
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.dectape.tu55 import Transport
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.machine import Machine
+from pdp8.computer.rack.df32 import DF32
 from tapes import dectape
 from tapes.errors import WorkError, naming
 from tapes.quantities import counted
@@ -24,15 +26,25 @@ _BOOT = (0o6774, 0o1222, 0o6766, 0o6771, 0o5216, 0o1223, 0o5215, 0o0600, 0o0220)
 
 
 class Reels:
-    """The reels on the drives of a control, and the files they came from."""
+    """The reels on the drives of a control, the discs of a DF32, and the files they came from."""
 
     def __init__(self, drives: Sequence[Transport] = ()) -> None:
         self.drives = drives
         self.names: dict[int, str] = {}
         """The files, by drives."""
+        self.discs: DF32 | None = None
+        self.discs_name = "df.df32"
+        self.discs_kept = b""
+        """What was on the discs when they were filled or saved."""
 
     def look_at(self, machine: Machine) -> None:
-        """Turn to the drives of a machine; none where no DECtape is fitted."""
+        """Turn to the drives and discs of a machine; none where there are none."""
+        before, self.discs = (
+            self.discs,
+            next((each for each in machine.devices if isinstance(each, DF32)), None),
+        )
+        if self.discs and not before:
+            self.discs_kept = self.discs.content
         self.drives = drives(machine.devices)
         mounted = [unit for unit, drive in enumerate(self.drives) if drive.image is not None]
         self.names = {unit: self.names.get(unit, f"dt{unit}.tu56") for unit in mounted}
@@ -73,21 +85,57 @@ class Reels:
             raise WorkError(f"{name} was mounted; name another file")
         return shelf.told(name, shelf.write(name, reel.content()))
 
+    def fill(self, name: str) -> None:
+        """Put an image onto the discs of the DF32. Raises WorkError, and changes nothing then."""
+        content, discs = shelf.read(name), self.discs or DF32()
+        try:
+            discs.content = content
+        except ValueError as error:
+            raise WorkError(f"{name}: {error}") from error
+        self.discs_name, self.discs_kept = name, content
+
+    def empty(self) -> None:
+        """Take the image off the discs."""
+        if self.discs:
+            self.discs.content = bytes(len(self.discs.content))
+            self.discs_name, self.discs_kept = "df.df32", self.discs.content
+
+    def said_of_discs(self) -> str:
+        """Say how many words of the discs were written and not saved, "" for none."""
+        now = self.discs.content if self.discs else self.discs_kept
+        pairs = zip(now[::2], now[1::2], self.discs_kept[::2], self.discs_kept[1::2], strict=False)
+        words = sum((low, high) != (before, above) for low, high, before, above in pairs)
+        return f"df: {counted(words, 'words')} of {self.discs_name} were written" if words else ""
+
+    def save_discs(self, name: str) -> str:
+        """Save the discs as they are now; return what to say of it. Raises WorkError."""
+        if shelf.identity(shelf.find(self.discs_name)) == shelf.identity(name):
+            raise WorkError(f"{name} was mounted; name another file")
+        content = self.discs.content if self.discs else self.discs_kept
+        said = shelf.told(name, shelf.write(name, content))
+        self.discs_kept = content
+        return said
+
     def unmount(self, unit: int) -> None:
         """Take the reel off the drive."""
         self.drives[unit].mount(None)
         self.names.pop(unit, None)
 
     def rescue(self) -> Iterator[str]:
-        """Save each changed reel beside its file; yield a message for each."""
-        for unit, drive in enumerate(self.drives):
-            if drive.blocks:
-                place = _free(self.names[unit])
-                try:
-                    said = self.save(unit, place)
-                except WorkError:
-                    said = self.save(unit, _free(os.path.join(tempfile.gettempdir(), "reel.tu56")))
-                yield f"{self.said(unit)}, and not saved: {said}"
+        """Save each changed reel, and changed discs, beside their file; yield a message for each."""
+        changed: list[tuple[str, str, Callable[[str], str]]] = [
+            (self.said(unit), self.names[unit], partial(self.save, unit))
+            for unit, drive in enumerate(self.drives)
+            if drive.blocks
+        ]
+        if of_discs := self.said_of_discs():
+            changed.append((of_discs, self.discs_name, self.save_discs))
+        for written, name, save in changed:
+            try:
+                said = save(_free(name))
+            except WorkError:
+                said = save(_free(os.path.join(tempfile.gettempdir(), os.path.basename(name))))
+            yield f"{written}, and not saved: {said}"
 
 
 def drives(devices: Iterable[Peripheral]) -> Sequence[Transport]:

@@ -170,14 +170,14 @@ def tape(name: str) -> "Tape":
     return Tape(read(name))
 
 
-def program(name: str, force: bool = False, dialect: str = "auto") -> "Program":
+def program(name: str, force: bool = False, dialect: str = "auto", memory: int = 0o10000) -> "Program":
     """Return the program called `name` as `read` finds it. Raises WorkError as `program.read` does."""
     from pdp8.computer.use import program
 
     image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
     if image:
         raise ShelfError(f"{name}: {image}, and no program tape")
-    return program.read(read(name), name, force, dialect)
+    return program.read(read(name), name, force, dialect, memory)
 
 
 def programs(names: Sequence[str], dialect: str = "auto") -> "Program":

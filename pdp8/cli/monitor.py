@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import click
@@ -24,6 +25,7 @@ from tapes.errors import WorkError
 if TYPE_CHECKING:
     from pdp8.cli.running.keyboard import Terminal
     from pdp8.computer.use.trace import Listing
+    from pdp8.reels import Reels
 
 
 @click.command(cls=Command)
@@ -58,14 +60,14 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
             raise click.UsageError("--echo means nothing without SCRIPT.")
         click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
         converse(made)
+        rack.leave(made)
     else:
         if echo:
             made.echo = lambda line: command.echo(f"* {line}")
-        try:
+        with ExitStack() as leaving:
+            leaving.callback(rack.leave, made)
+            leaving.callback(take_off, made)
             do_file(made, script or "-")
-            take_off(made)
-        finally:
-            rack.leave(made)
 
 
 def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
@@ -94,12 +96,12 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
             break
     else:
         take_off(made)
-    rack.leave(made)
 
 
 def sit_down(
     machine: Machine,
     listing: "Listing",
+    mounted: "Reels | None",
     max_time: float | None,
     realtime: bool,
     pass_on: Callable[[], object],
@@ -115,6 +117,8 @@ def sit_down(
         return stop
     made = Monitor(terminal.say, machine, listing)
     made.realtime = realtime
+    if mounted is not None:
+        made.reels = mounted
     made.say_stop(stop)
     converse(made, terminal)
     return None

@@ -27,12 +27,13 @@ from pdp8.computer.use.ending import ended, explained, may_be_wrong, rerun, sent
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
-from tapes.errors import WorkError, called, naming
+from tapes.errors import called, naming
 
 if TYPE_CHECKING:
     from pdp8.computer.hardware.fields import Values
     from pdp8.computer.use.program import Program
     from pdp8.computer.use.trace import Listing
+    from pdp8.reels import Reels
 
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
 _CLOSED: Final = "closed"
@@ -288,6 +289,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
     machine = _machine(options, found)
     if found or "sr" in explicit:
         machine.sr = options.sr
+    mounted = _reels(options, machine)
     feed = _feed(options, machine)
     if found or "start" in explicit:
         machine.start(options.start)
@@ -302,10 +304,10 @@ def run(ctx: click.Context, /, options: Options) -> None:
 
         History(machine)
     try:
-        stop = _run(options, machine, found, feed, failures)
+        stop = _run(options, machine, found, feed, mounted, failures)
     finally:
-        _save_reels(options, machine, failures)
-        _save_others(options, machine, failures)
+        _save_mounted(options, mounted, failures)
+        _save_paper(options, machine, failures)
     if options.save is not None:
         from pdp8.computer.past import state
 
@@ -330,7 +332,8 @@ def _program(options: Options, explicit: Collection[str | None]) -> "Program | N
         raise click.UsageError("--keyboard needs a terminal to type and print at.")
     if options.program is None:
         return None
-    found = shelf.program(options.program, options.force or options.boot, options.dialect)
+    forced, memory = options.force or options.boot, MEMORY[options.memory]
+    found = shelf.program(options.program, forced, options.dialect, memory)
     if found.code is codes.ASCII and options.force:
         raise click.UsageError(f"--force means nothing for {found.name}: it is no tape that may be damaged.")
     if found.code is not codes.ASCII and "dialect" in explicit:
@@ -362,7 +365,6 @@ def _machine(options: Options, found: "Program | None") -> Machine:
         machine = Machine(memory=MEMORY[options.memory])
         fitting.fit(machine, devices)
         _mount(options, machine.devices)
-        _fill_disk(options, machine)
     else:
         machine = _restored(options, devices)
     if machine.memory == MEMORY["32k"]:
@@ -395,7 +397,12 @@ def _feed(options: Options, machine: Machine) -> Feed:
 
 
 def _run(
-    options: Options, machine: Machine, found: "Program | None", feed: Feed, failures: list[ShelfError]
+    options: Options,
+    machine: Machine,
+    found: "Program | None",
+    feed: Feed,
+    mounted: "Reels | None",
+    failures: list[ShelfError],
 ) -> _Ended:
     """Run to the end, recorded as asked for; return how it ended, and add files that failed to `failures`."""
     outputs = []
@@ -419,7 +426,7 @@ def _run(
 
             asked = options.count, options.annotate
             stack.enter_context(counting(machine, _listing(found), *asked))
-        live = _live(options, machine, found, stack)
+        live = _live(options, machine, found, mounted, stack)
         begun, stop = True, _FAILED
         try:
             if live is not None:
@@ -438,13 +445,13 @@ def _run(
 
 
 def _live(
-    options: Options, machine: Machine, found: "Program | None", stack: ExitStack
+    options: Options, machine: Machine, found: "Program | None", mounted: "Reels | None", stack: ExitStack
 ) -> Callable[[Callable[[], object]], Stop | None] | None:
     """Return what runs the machine with somebody at its Teletype, if anybody is."""
     if options.keyboard:
         from pdp8.cli.monitor import sit_down
 
-        return partial(sit_down, machine, _listing(found), options.max_time, options.realtime)
+        return partial(sit_down, machine, _listing(found), mounted, options.max_time, options.realtime)
     if options.line is not None and sys.platform != "win32":  # as _check_options has it
         from pdp8.cli.running.line import opened
 
@@ -586,50 +593,46 @@ def _disk_file(given: str) -> str:
     return file
 
 
-def _fill_disk(options: Options, machine: Machine) -> None:
-    """Put the image of --disk onto the DF32."""
-    if options.disk is None:
-        return
-    from pdp8.computer.rack.df32 import DF32
+def _reels(options: Options, machine: Machine) -> "Reels | None":
+    """Return the reels and discs of the machine with their files, if it may have some."""
+    if not (options.dectape or options.disk or options.device or options.restore or options.keyboard):
+        return None
+    from pdp8.reels import Reels
 
-    name = _disk_file(options.disk)
-    control = next(each for each in machine.devices if isinstance(each, DF32))
-    try:
-        control.content = shelf.read(name)
-    except ValueError as error:
-        raise WorkError(f"{name}: {error}") from error
-
-
-def _save_others(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
-    """Save the disk and the printer's text that were to be saved."""
-    if options.save_disk is None and options.printer is None:
-        return
-    from pdp8.computer.rack.df32 import DF32
-    from pdp8.computer.rack.lp08 import LP08
-
-    for device in machine.devices:
-        with _noted(failures):
-            if isinstance(device, DF32) and options.save_disk is not None:
-                command.put(_disk_file(options.save_disk), device.content)
-            elif isinstance(device, LP08) and options.printer is not None:
-                command.put(options.printer, device.paper)
-
-
-def _save_reels(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
-    """Save the reels that were to be saved, and what else was written on reels."""
-    if not options.dectape:
-        return
-    from pdp8 import reels
-
-    mounted = reels.Reels(reels.drives(machine.devices))
+    mounted = Reels()
     mounted.names = _by_drive(options.dectape)
+    mounted.look_at(machine)
+    if options.disk is not None:
+        mounted.fill(_disk_file(options.disk))
+    return mounted
+
+
+def _save_mounted(options: Options, mounted: "Reels | None", failures: list[ShelfError]) -> None:
+    """Save the reels and the disk that were to be saved, and what else was written on some."""
+    if mounted is None:
+        return
     for unit, name in _by_drive(options.save_dectape).items():
         with _noted(failures):
             command.say(mounted.save(unit, name))
             mounted.drives[unit].blocks = {}
+    if options.save_disk is not None:
+        with _noted(failures):
+            command.say(mounted.save_discs(_disk_file(options.save_disk)))
     if options.save is None:
         for said in mounted.rescue():
             command.say(said)
+
+
+def _save_paper(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
+    """Save the printer's text."""
+    if options.printer is None:
+        return
+    from pdp8.computer.rack.lp08 import LP08
+
+    for device in machine.devices:
+        with _noted(failures):
+            if isinstance(device, LP08):
+                command.put(options.printer, device.paper)
 
 
 def _boot(options: Options, machine: Machine, found: "Program") -> None:

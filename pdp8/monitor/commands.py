@@ -1,5 +1,7 @@
 """Every command of the monitor by its name."""
 
+import os
+import re
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from inspect import signature
@@ -21,15 +23,19 @@ _SHORT = {
 """Names that are the beginning of several and mean one, and SIMH's names for ours."""
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
 """What is printed before one of these is not expected any more."""
+_IF = re.compile(r"(not\s+)?exist\s+(\"[^\"]*\"|\S+)\s+(.*)", re.IGNORECASE)
 _DEEPEST = 10
 """Scripts within scripts."""
+_NOT_HERE = """\
+Numbers are octal, seconds are not. Ctrl-] or Ctrl-E stops a program, cont goes
+on in it. Not here, as no PDP-8/L had them: EAE and MQ, the PDP-8/E's BSW and
+600x, RK05, RX01; more than 4K of core unless set cpu 8k fits it."""
 _AT_SIMH = {
     "assign": "files have their own names",
     "call": "do FILE carries out a script",
     "dump": "punch 0-7577 FILE writes core as a BIN tape",
     "evaluate": "examine says a word of core with its instruction",
-    "goto": "scripts here have no jumps: they end at their first error",
-    "if": "scripts here have no conditions: assert ends them",
+    "!": "no command of the system is carried out; type it at a terminal beside this one",
     "next": "step, or break at the return",
 }
 """What stands here for a command of SIMH's, which may be shortened to three letters."""
@@ -58,6 +64,8 @@ def help_(monitor: Monitor, *names: str) -> None:
         said = f"{each.name + ' ' + each.arguments:27} {' '.join((each.action.__doc__ or '').split())}"
         for line in wrap(said, 79, subsequent_indent=" " * 28):
             monitor.say(line)
+    if not names:
+        monitor.say(_NOT_HERE)
 
 
 def quit_(monitor: Monitor) -> None:
@@ -70,18 +78,45 @@ def do_file(monitor: Monitor, name: str, *more: str) -> None:
     """Carry out the commands of a file; its first error ends it."""
     if monitor.depth >= _DEEPEST:
         raise MonitorError(f"{name}: more than {_DEEPEST} scripts within scripts")
+    lines = list(lines_of(shelf.read(name).decode("utf-8-sig", "replace")))
+    labels = {
+        line.split()[0].upper(): number
+        for number, line in enumerate(lines)
+        if line[:1] == ":" != line.strip()
+    }
     monitor.depth += 1
     try:
-        for number, line in enumerate(lines_of(shelf.read(name).decode("utf-8-sig", "replace")), 1):
-            monitor.echo(line)
+        number = 0
+        while number < len(lines) and not monitor.finished:
+            monitor.echo(lines[number])
+            number += 1
             try:
-                do(monitor, line)
+                do(monitor, lines[number - 1])
+                if monitor.goto:
+                    label, monitor.goto = monitor.goto, ""
+                    if label not in labels:
+                        raise MonitorError(f"{label}: no line begins with it")
+                    number = labels[label]
             except WorkError as error:
                 raise MonitorError(f"{called(name)}, line {number}: {error}") from error
-            if monitor.finished:
-                return
     finally:
         monitor.depth -= 1
+
+
+def goto(monitor: Monitor, label: str) -> None:
+    """Go on in the script at the line :LABEL."""
+    if not monitor.depth:
+        raise MonitorError("goto stands in scripts")
+    monitor.goto = ":" + label.removeprefix(":").upper()
+
+
+def if_(monitor: Monitor, text: str) -> None:
+    """Carry out a command if a file is there, or not there; `assert` has other conditions."""
+    found = _IF.fullmatch(text.strip())
+    if not found:
+        raise MonitorError("if [not] exist FILE COMMAND expected; assert ends a script unless AC is so")
+    if os.path.exists(found[2].strip('"')) != bool(found[1]):
+        do(monitor, found[3])
 
 
 _PLACES = f"{' '.join(debugging.REGISTERS)} or an address"
@@ -89,8 +124,8 @@ _TAPES = "names of tapes, or start, stop, or none"
 COMMANDS = {
     each.name: each
     for each in (
-        Command("examine", "A|A:B|NAME ...", debugging.examine, "an address"),
-        Command("deposit", "A WORD ...|A:B WORD", debugging.deposit, "an address and words"),
+        Command("examine", "A|A:B|NAME ...", simh.examine, "an address"),
+        Command("deposit", "A WORD ...|A:B WORD", simh.deposit, "an address and words"),
         Command("set", "NAME WORD", simh.set_, f"one of {debugging.NAMES} and a word"),
         Command("registers", "", debugging.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
@@ -100,7 +135,7 @@ COMMANDS = {
         Command("key", "KEY ...", debugging.key, f"one or more of the keys {' '.join(debugging.KEYS)}"),
         Command("go", "[A] [SECONDS|until TEXT]", running.go),
         Command("cont", "[SECONDS|until TEXT]", running.cont),
-        Command("run", "[SECONDS|until TEXT]", running.run),
+        Command("run", "[A|SECONDS|until TEXT]", running.run),
         Command("until", "TEXT [N times] [SECONDS]", running.until),
         Command("expect", "TEXT [SECONDS]", running.expect),
         Command("assert", "REGISTER|A WORD", running.assert_, f"one of {_PLACES}, and a word"),
@@ -122,10 +157,12 @@ COMMANDS = {
         Command("page", "[more]", tapes.page),
         Command("save", "FILE", tapes.save, "the name of a file"),
         Command("restore", "FILE", tapes.restore, "the name of a file"),
-        Command("attach", "ptr TAPE|ptp FILE", simh.attach, "ptr or ptp, and the name of a file"),
-        Command("detach", "ptr|ptp", simh.detach, "ptr or ptp"),
+        Command("attach", "[-r] DEVICE FILE", simh.attach),
+        Command("detach", "DEVICE [FILE|forget]", simh.detach, simh.DEVICES),
         Command("send", "TEXT ...", simh.send),
         Command("do", "FILE", do_file, "the name of a file"),
+        Command("goto", "LABEL", goto, "a label"),
+        Command("if", "[not] exist FILE COMMAND", if_, words_of=as_it_stands),
         Command("echo", "TEXT", simh.echo, words_of=as_it_stands),
         Command("reset", "", simh.reset),
         Command("show", "", simh.show),
@@ -151,7 +188,9 @@ def find(word: str) -> Command:
         raise MonitorError(f"{word}: {', '.join(each.name for each in found)}?")
     near = [name for name in COMMANDS if word.startswith(name)] or get_close_matches(word, COMMANDS, 1, 0.8)
     meant = f"did you mean {near[0]}?" if near else "help tells which there are"
-    at_simh = [ours for name, ours in _AT_SIMH.items() if name[: max(len(word), 2)] == word]
+    at_simh = [
+        ours for name, ours in _AT_SIMH.items() if name[: max(len(word), 2)] == word or word[0] == name
+    ]
     meant = f"it is SIMH's; here {at_simh[0]}" if at_simh else meant
     raise MonitorError(f"{word!r}: no such command; {meant}")
 

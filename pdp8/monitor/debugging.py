@@ -15,18 +15,31 @@ from pdp8.computer.watch import Watch
 from pdp8.monitor.arguments import MonitorError, octal, seconds, some
 from pdp8.monitor.prompt import Monitor
 
-REGISTERS = {"ac": 0o7777, "link": 1, "pc": 0o77777, "ma": 0o77777, "mb": 0o7777, "ir": 7, "sr": 0o7777}
+REGISTERS = {
+    "ac": 0o7777,
+    "link": 1,
+    "pc": 0o77777,
+    "ma": 0o77777,
+    "mb": 0o7777,
+    "ir": 7,
+    "sr": 0o7777,
+    "ion": 1,
+}
 """Each register with its greatest value, that of an address in 32K of core."""
+EXTENSION = {
+    "if": ["inst_field"],
+    "df": ["data_field"],
+    "ib": ["inst_buffer"],
+    "sf": ["saved_inst", "saved_data"],
+}
+"""Those of the memory extension, each with its digits."""
 SWITCHES = ("mem_prot", "sing_step")
 FIELDS = ("inst_field", "data_field")
 """The panel's switches for fields."""
 NAMES = " ".join((*REGISTERS, *SWITCHES, *FIELDS, "hands", "cpu"))
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
-_LACKS = {
-    **dict.fromkeys(("mq", "sc", "gtf"), "this machine has no EAE, and no such register"),
-    **dict.fromkeys(("df", "if", "ib", "sf"), "this machine has 4K of core, and no such register"),
-}
+_NO_EAE = ("mq", "sc", "gtf")
 """Registers of SIMH's PDP-8/E."""
 _WHOLE_CORE = ("0:7777",)
 
@@ -40,7 +53,7 @@ def examine(monitor: Monitor, place: str, *more: str) -> None:
 def _examine(monitor: Monitor, place: str) -> None:
     core = monitor.machine.core
     if is_register(monitor, place):
-        monitor.say(f"{place.upper()} {getattr(monitor.machine, register(place)):04o}")
+        monitor.say(f"{place.upper()} {value(monitor.machine, place):04o}")
     elif place.lower() == "state":
         registers(monitor)
     elif place.lower() == "all":
@@ -71,25 +84,31 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
 
 def _words(monitor: Monitor, place: str) -> range:
     """Return the addresses of a place. Raises MonitorError, also for a register that this machine lacks."""
-    if lacks := _LACKS.get(place.lower()):
-        raise MonitorError(f"{place}: {lacks}")
+    if place.lower() in _NO_EAE:
+        raise MonitorError(f"{place}: this machine has no EAE, and no such register")
     return monitor.range(place)
 
 
-def set_(monitor: Monitor, name: str, value: str) -> None:
+def set_(monitor: Monitor, name: str, text: str) -> None:
     """Set a register, a switch (0 or 1), the seconds that a key takes (hands), the core (cpu 4k, 8k, 32k)."""
     name = register(name)
+    most = (monitor.machine.memory >> 12) - 1
     if name in REGISTERS:
-        word = monitor.address(value)
+        word = monitor.address(text)
         setattr(monitor.machine, name, octal(f"{word:o}", greatest(monitor.machine, name)))
+    elif name in EXTENSION:
+        value(monitor.machine, name)
+        digits = octal(text, int(f"{most:o}" * len(EXTENSION[name]), 8))
+        for digit, part in enumerate(reversed(EXTENSION[name])):
+            setattr(monitor.machine.processor.extension, part, (digits >> 3 * digit & most) << 12)
     elif name in SWITCHES:
-        if value.lower() not in _POSITIONS:
-            raise MonitorError(f"{value}: {name} is 0 or 1, off or on")
-        setattr(monitor.machine.panel, name, _POSITIONS[value.lower()])
+        if text.lower() not in _POSITIONS:
+            raise MonitorError(f"{text}: {name} is 0 or 1, off or on")
+        setattr(monitor.machine.panel, name, _POSITIONS[text.lower()])
     elif name in FIELDS:
-        setattr(monitor.machine.panel, name, octal(value, (monitor.machine.memory >> 12) - 1))
+        setattr(monitor.machine.panel, name, octal(text, most))
     elif name == "hands":
-        monitor.operator.pace = monitor.operator.pace._replace(pressing=seconds(value))
+        monitor.operator.pace = monitor.operator.pace._replace(pressing=seconds(text))
     else:
         raise MonitorError(f"{name}: no register or switch; there are {NAMES}")
 
@@ -117,6 +136,17 @@ def greatest(machine: Machine, name: str) -> int:
     return min(REGISTERS[name], machine.memory - 1)
 
 
+def value(machine: Machine, name: str) -> int:
+    """Return what is in a register. Raises MonitorError for one that this machine lacks."""
+    name = register(name)
+    if name in REGISTERS:
+        return int(getattr(machine, name))
+    if machine.memory == FIELD:
+        raise MonitorError(f"{name}: this machine has 4K of core, and no such register; set cpu 8k fits it")
+    digits = [getattr(machine.processor.extension, part) >> 12 for part in EXTENSION[name]]
+    return int("".join(map(str, digits)), 8)
+
+
 def register(name: str) -> str:
     """Return a register's whole name."""
     return {"l": "link"}.get(name.lower(), name.lower())
@@ -124,7 +154,7 @@ def register(name: str) -> str:
 
 def is_register(monitor: Monitor, name: str) -> bool:
     """Tell whether a name is a register's, and no symbol's of the program."""
-    return register(name) in REGISTERS and name.upper() not in monitor.listing.symbols
+    return register(name) in {**REGISTERS, **EXTENSION} and name.upper() not in monitor.listing.symbols
 
 
 def registers(monitor: Monitor) -> None:
@@ -133,8 +163,8 @@ def registers(monitor: Monitor) -> None:
     lit = [name for name in ("ion", "protect", "run") if getattr(lamps, name)]
     fields = ""
     if m.memory > FIELD:
-        e = m.processor.extension
-        fields = f"  IF {e.inst_field >> 12} DF {e.data_field >> 12} EMA {m.panel.ema}"
+        fields = "".join(f" {name.upper()} {value(m, name):0{len(EXTENSION[name])}o}" for name in EXTENSION)
+        fields = f" {fields} EMA {m.panel.ema}"
     monitor.say(
         f"PC {m.pc:04o}  L {lamps.link}  AC {lamps.ac:04o}  MA {lamps.ma:04o}  MB {lamps.mb:04o}  "
         f"IR {lamps.ir} {STATES[m.processor.state]:7}  SR {m.sr:04o}  {m.elapsed * 1000:.5f} ms"

@@ -47,6 +47,8 @@ class Monitor:
         """Takes each line of a script that is read within another."""
         self.depth = 0
         """How many of them are being read."""
+        self.goto = ""
+        """The label at which the script goes on, if it was told to."""
         self.punching: dict[str, str] = {}
         """The names of files that were attached for what is punched."""
         self.once_running: list[Callable[[], object]] = []

@@ -15,7 +15,7 @@ from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
-from pdp8.monitor.debugging import REGISTERS, register
+from pdp8.monitor.debugging import is_register, value
 from pdp8.monitor.prompt import Monitor
 from tapes.quantities import counted
 
@@ -60,11 +60,11 @@ def cont(monitor: Monitor, *arguments: str) -> None:
 
 
 def run(monitor: Monitor, *arguments: str) -> None:
-    """Go on without a key being pressed: for SECONDS, or until a text is printed."""
-    goal = _goal(arguments)
-    if not monitor.machine.panel.lamps.run and not goal.times:
-        raise MonitorError("the machine is stopped: go A starts it at an address, cont goes on")
-    _pursue(monitor, goal)
+    """Go on without a key being pressed, for SECONDS or until a text is printed; from a halt START, at A."""
+    if monitor.machine.panel.lamps.run or arguments[:1] == ("until",):
+        _pursue(monitor, _goal(arguments))
+    else:
+        go(monitor, *arguments)
 
 
 def until(monitor: Monitor, *arguments: str) -> None:
@@ -211,11 +211,11 @@ def wait(monitor: Monitor, time: str) -> None:
         machine.wait(max(0, end - machine.ticks) / TICKS_PER_SECOND)
 
 
-def assert_(monitor: Monitor, name: str, value: str) -> None:
+def assert_(monitor: Monitor, name: str, word: str) -> None:
     """Fail unless a register, or the word at an address, is so."""
-    wanted = monitor.address(value)
-    if register(name) in REGISTERS:
-        found = getattr(monitor.machine, register(name))
+    wanted = monitor.address(word)
+    if is_register(monitor, name):
+        found = value(monitor.machine, name)
     else:
         found = monitor.machine.core[monitor.address(name)]
     if found != wanted:

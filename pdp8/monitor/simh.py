@@ -1,81 +1,71 @@
 """The words of SIMH's pdp8 where the monitor's own are others.
 
     attach ptr TAPE, detach ptr     the reader            attach ptp FILE, detach ptp     the punch
+    attach dt0 FILE, attach df FILE, attach lpt FILE      the rack: each is fitted as it is attached
     send "ABC\\r"                    keys, as the program asks for them, once the machine runs
-    do FILE, echo TEXT              scripts
+    echo TEXT                       of scripts, as do, goto and if are (see commands)
     set cpu 4k, set throttle ...    what the machine is anyway, or its pace at a terminal
 
 A device that this machine has not is named; to disable it does nothing.
 """
 
+import re
 from collections.abc import Sequence
 from functools import partial
 
+from pal.assembling import assemble
 from pdp8 import shelf
 from pdp8.computer.hardware.extension import MEMORY
+from pdp8.computer.rack.lp08 import LP08
 from pdp8.monitor import debugging, rack, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
 
-_ABSENT = {
-    "rk": "an RK8 disk",
-    "rl": "an RL8 disk",
-    "rf": "an RF08 disk",
-    "df": "a DF32 disk",
-    "rx": "an RX8 floppy",
-    "td": "a TD8E DECtape",
-    "mt": "a magnetic tape",
-    "ct": "a cassette",
-    "lpt": "a line printer",
-    "clk": "a clock",
-    "fpp": "an FPP8",
-    "tsc": "a time-sharing control",
-    **dict.fromkeys(("ttix", "ttox"), "a further Teletype"),
-}
 _HAS = ("cpu", "tti", "tto", "ptr", "ptp")
+_SWITCH = re.compile("-[a-zA-Z]")
 _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "noon")
+DEVICES = "ptr, ptp, dt0 to dt7, df, lpt"
 
 
-def absent(name: str) -> str:
-    """Return what a SIMH device is that this machine lacks, "" for other words."""
-    return _ABSENT.get(name.lower()) or _ABSENT.get(name.lower().rstrip("0123456789"), "")
-
-
-def _device(name: str) -> str:
-    """Return the name of a device that is here. Raises MonitorError."""
-    device = name.lower().rstrip("0")
-    if device in _HAS:
+def _device(monitor: Monitor, name: str) -> str:
+    """Return the name of a device that is here, or can be fitted. Raises MonitorError."""
+    device = name.lower().rstrip("01234567" if name.lower().startswith("dt") else "0")
+    if device in _HAS or device in rack.RACK:
         return device
-    what = absent(name)
-    why = f"{what}, which this machine has not" if what else "no device"
-    raise MonitorError(f"{name}: {why}; ptr is the reader, ptp the punch")
+    raise MonitorError(f"{name}: {rack.absent(monitor, name) or f'no device; there are {DEVICES}'}")
 
 
-def attach(monitor: Monitor, device: str, *names: str) -> None:
-    """Put a tape into the reader (ptr), or name the file for what is punched (ptp)."""
-    if "dt" in [each[:2].lower() for each in (device, *names)[:2]]:
-        rack.attach(monitor, device, *names)
-        return
-    *switches, name = some((device, *names), "ptr or ptp, and the name of a file", 2)
-    kind = _device(switches[-1])
+def attach(monitor: Monitor, *words: str) -> None:
+    """Mount FILE: ptr is the reader, ptp the punch, dt0 to dt7 are DECtapes, df is a DF32 disk, lpt the LP08
+    line printer. -r locks a DECtape.
+    """
+    names = [each for each in words if not each.startswith("-")]
+    device, *name = some(names, f"{DEVICES}, and the name of a file", 1, 2)
+    kind = _device(monitor, device)
+    (file,) = some(name, "the name of a file")
     if kind in ("ptr", "tti"):
         fast = kind == "ptr" and monitor.machine.highspeed.fitted
-        (tapes.fast_reader if fast else tapes.reader)(monitor, name)
+        (tapes.fast_reader if fast else tapes.reader)(monitor, file)
+    elif kind in ("dt", "df"):
+        rack.attach(monitor, device, file, locked="-r" in words)
     else:
-        shelf.check_writable(name)
-        shelf.check_kind(name, "tape")
-        monitor.punching[kind] = name
+        shelf.check_writable(file)
+        shelf.check_kind(file, "text" if kind == "lpt" else "tape")
+        if kind == "lpt":
+            rack.fit(monitor, kind)
+        monitor.punching[kind] = file
 
 
 def detach(monitor: Monitor, device: str, where: str = "") -> None:
-    """Take the tape out of the reader (ptr), or off the punch into its file (ptp)."""
-    if device[:2].lower() == "dt":
+    """Take the tape out of the reader (ptr), or off the punch into its file (ptp); dt0 to dt7 and df: save
+    what is on them in FILE, or forget it.
+    """
+    kind = _device(monitor, device)
+    if kind in ("dt", "df"):
         rack.detach(monitor, device, where)
-        return
-    kind = _device(device)
-    if kind in ("ptr", "tti"):
+    elif kind in ("ptr", "tti"):
         fast = kind == "ptr" and monitor.machine.highspeed.fitted
         monitor.waiting_tapes = []
         (monitor.machine.highspeed if fast else monitor.machine.teletype).reader.remove()
@@ -88,6 +78,10 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
 def take_off(monitor: Monitor, kind: str = "") -> None:
     """Write what was punched into the file that was attached for it; all of them without a name."""
     for each in [kind] if kind else list(monitor.punching):
+        printers = [device for device in monitor.machine.devices if isinstance(device, LP08)]
+        if each == "lpt":
+            monitor.say(shelf.leave(monitor.punching.pop(each), printers[0].paper.encode(), "text"))
+            continue
         fast = each == "ptp" and monitor.machine.highspeed.fitted
         (tapes.fast_punch if fast else tapes.punch)(monitor, monitor.punching.pop(each))
 
@@ -135,6 +129,7 @@ def set_(monitor: Monitor, name: str, *values: str) -> None:
 def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     """Set an option as SIMH's SET does; return whether there is one of that name. Raises MonitorError."""
     name, value = name.lower(), " ".join(values).lower()
+    kind = name.rstrip("01234567")
     if name in ("throttle", "nothrottle"):
         monitor.realtime = name == "throttle"
     elif name == "cpu":
@@ -144,11 +139,52 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
             raise MonitorError(
                 f"{value}: {', '.join(MEMORY)} are the sizes of core; no EAE, and idle is always so"
             )
-    elif absent(name):
-        if value != "disabled":
-            raise MonitorError(f"{name}: {absent(name)}, which this machine has not")
-    elif name.rstrip("0") not in _HAS[1:]:
+    elif kind in rack.RACK and not value.isdecimal():
+        if value.startswith("en"):
+            rack.fit(monitor, kind)
+        elif value.startswith("dis") and rack.fitted(monitor, kind):
+            raise MonitorError(f"{name}: it is fitted")
+    elif what := rack.absent(monitor, name):
+        if not value.startswith("dis"):
+            raise MonitorError(f"{name}: {what}")
+    elif kind not in _HAS[1:]:
         return name in _NOTHING_TO_SET
-    elif value == "disabled":
+    elif value.startswith("dis"):
         raise MonitorError(f"{name}: it is fitted; `reader stop` and `punch off` switch it off")
     return True
+
+
+def _of_machine(monitor: Monitor, words: Sequence[str]) -> Sequence[str]:
+    """Return places without SIMH's switches and its word cpu; none for registers of SIMH's devices."""
+    device, *places = some([each for each in words if not _SWITCH.fullmatch(each)], "an address")
+    known = debugging.is_register(monitor, device) or device.upper() in monitor.listing.symbols
+    kind = device.lower().rstrip("01234567")
+    if not places or known:
+        return [device, *places]
+    if kind == "cpu":
+        return places
+    if what := rack.absent(monitor, device):
+        raise MonitorError(f"{device}: {what}")
+    if kind in ("system", "int-clock", "int-throttle", *_HAS, *rack.RACK):
+        monitor.say(f"{device} {' '.join(places)}: passed over, it is SIMH's own")
+        return []
+    return [device, *places]
+
+
+def examine(monitor: Monitor, place: str, *more: str) -> None:
+    """Say words of core, each with its line of the listing, or a register."""
+    for each in _of_machine(monitor, (place, *more)):
+        debugging.examine(monitor, each)
+
+
+def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
+    """Put words into core from A on, or one word into all of A:B; with -m an instruction: -m 200 CLA CLL."""
+    words = _of_machine(monitor, (place, word, *more))
+    if "-m" in (place, word):
+        at = monitor.address(words[0])
+        made = assemble(f"*{at & 0o7777:o}\n{' '.join(words[1:])}\n$\n")
+        if not made.ok or len(made.words) != 1:
+            raise MonitorError(f"{' '.join(words[1:])}: no instruction")
+        words = [words[0], f"{made.words[at & 0o7777]:o}"]
+    if words:
+        debugging.deposit(monitor, *words)

@@ -56,7 +56,7 @@ def _program(monitor: Monitor, name: str, force: bool) -> program.Program:
     """Return a program; say so where it hides a bundled one."""
     if shelf.hides(name):
         monitor.say(f"{name} {shelf.HIDES}")
-    return shelf.program(name, force, monitor.dialect)
+    return shelf.program(name, force, monitor.dialect, monitor.machine.memory)
 
 
 def _forced(words: Sequence[str]) -> bool:

@@ -141,7 +141,7 @@ def _fitted(
     for each in known:
         if each.CODE in by_code:
             found.append(by_code.pop(each.CODE))
-        elif f"{each.CODE:02o}" in saved or isinstance(each, Teletype):
+        elif f"{each.CODE:02o}" in saved or each.CODE == Teletype.CODE:
             found.append(each)
     return [*found, *by_code.values()]
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pdp8.computer.hardware.extension import FIELD
 from tapes import ascii, codes, dump
 from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
@@ -31,7 +32,7 @@ _SHOWN = 3
 
 
 class Program:
-    """A program that goes into 4K of core.
+    """A program that goes into core, of 4K or more.
 
     name     the file's name, or the bundled one; `names` are those of all its tapes
     code     codes.ASCII (PAL source), codes.BIN or codes.RIM
@@ -74,17 +75,17 @@ class Program:
         return Listing.of(assemble(disassemble(self.words)))
 
 
-def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND) -> Program:
+def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND, memory: int = FIELD) -> Program:
     """Return the program of a tape's frames, with `force` a damaged one too; `dialect` is pal3, pal8 or auto.
-    Raises WorkError, with `name`, for errors, damage, other fields, or no program.
+    Raises WorkError, with `name`, for errors, damage, words beyond `memory`, or no program.
     """
     frames, note = dump.unspelled(frames)
     code = codes.recognise(frames)
     with naming(name):
         if code is codes.ASCII:
-            program = _assembled([frames], [name], dialect)
+            program = _assembled([frames], [name], dialect, memory)
         elif isinstance(code, Words):
-            program = _loaded(frames, name, code, force)
+            program = _loaded(frames, name, code, force, memory)
         elif code is codes.BLANK_TAPE:
             raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
         else:
@@ -109,7 +110,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
     return program
 
 
-def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> Program:
+def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str, memory: int = FIELD) -> Program:
     from pal.assembling import assemble
     from pal.messages import DIALECT, worded
 
@@ -125,16 +126,18 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str) -> 
         report = "\n".join([*errors[:_SHOWN], *more, *other])
         raise WorkError(f"not loaded: {counted(len(errors), 'errors')}\n{report}")
     for address in assembly.words:
-        if address > 0o7777:
-            raise WorkError(f"address {address:05o}: a PDP-8/L with 4K of core ends at 07777")
+        if address >= memory:
+            raise WorkError(
+                f"address {address:05o}: a PDP-8/L with {memory // 1024}K of core ends at {memory - 1:05o}"
+            )
     notes: tuple[str, ...] = ()
     if dialect == FOUND and assembly.dialect != PAL3:
         notes = (worded(DIALECT).message,)
     return Program(names[0], codes.ASCII, assembly.words, assembly, notes)
 
 
-def _loaded(frames: bytes, name: str, code: Words, force: bool) -> Program:
-    words, damage = (_bin if code is codes.BIN else _rim)(frames)
+def _loaded(frames: bytes, name: str, code: Words, force: bool, memory: int) -> Program:
+    words, damage = _bin(frames, memory) if code is codes.BIN else _rim(frames)
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
@@ -145,16 +148,17 @@ _Loaded = tuple[dict[int, int], TapeError | None]
 """The words, and what is wrong with the tape."""
 
 
-def _bin(frames: bytes) -> _Loaded:
+def _bin(frames: bytes, memory: int) -> _Loaded:
     from tapes import binary
 
     reading = binary.read(frames)
     words, fields = binary.content(reading)
     damage = binary.find_damage(reading)
     for field, frame in fields.items():
-        if field and damage is None:
-            damage = TapeError(f"field {field}: this PDP-8/L has 4K of core, only field 0", frame)
-    return {address: word for address, word in words.items() if address <= 0o7777}, damage
+        if field >= memory // FIELD and damage is None:
+            last = "only field 0" if memory == FIELD else f"fields 0 to {memory // FIELD - 1}"
+            damage = TapeError(f"field {field}: this PDP-8/L has {memory // 1024}K of core, {last}", frame)
+    return {address: word for address, word in words.items() if address < memory}, damage
 
 
 def _rim(frames: bytes) -> _Loaded:

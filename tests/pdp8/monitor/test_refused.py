@@ -85,6 +85,8 @@ REFUSED = {
     "detach": ("", "ptp", "rk0", "dt0", "dt9", "dt0 out.tu56", "dt0 forget"),
     "send": ("", "{"),
     "do": ("", "missing"),
+    "goto": ("", "NOWHERE"),
+    "if": ("", "exist", "AC == 0 quit", "exist in.asc go soon"),
     "echo": (),
     "reset": (),
     "show": (),

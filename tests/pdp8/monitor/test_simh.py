@@ -6,9 +6,11 @@ from pathlib import Path
 import pytest
 
 from pdp8 import shelf
+from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import binary, dectape, rim
+from tapes.errors import WorkError
 from tests.pdp8.monitor import do
 
 TABLE = (Path(__file__).parents[3] / "docs" / "simh.md").read_text("utf-8").partition("|---")[2]
@@ -28,6 +30,7 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "script").write_text("echo one\ndeposit 300 1\n")
     (tmp_path / "bin.rim").write_bytes(rim.encode(shelf.bundled_program("bin.pal").words))
     (tmp_path / "ps8.tu56").write_bytes((0o7402).to_bytes(2, "little") * dectape.BLOCKS * dectape.WORDS)
+    (tmp_path / "discs").write_bytes(bytes(0o200000))
     (tmp_path / "echo.pal").write_text(ECHO)
 
 
@@ -43,11 +46,11 @@ def played(lines: list[str]) -> tuple[list[int], bytes, list[str]]:
         do(monitor, line)
     if first == "expect":
         do(monitor, 'keyboard now "text"')
-    if first in ("c", "cont", "continue", "send"):
+    if first in ("c", "cont", "continue", "run", "send"):
         do(monitor, "key stop")
     said.clear()
     for line in lines:
-        runs = line.split()[0] in ("go", "g", "cont", "continue", "c", "boot")
+        runs = line.split()[0] in ("go", "g", "run", "cont", "continue", "c", "boot")
         do(monitor, line + " 1" * runs)
     machine = monitor.machine
     if first in ("send", "type"):
@@ -79,10 +82,15 @@ def test_a_line_of_the_table(row: list[str]) -> None:
         ("e MQ", "no EAE"),
         ("e if", "4K of core"),
         ("set rf enabled", "an RF08 disk"),
-        ("attach rk0 os8.rk05", "an RK8 disk"),
+        ("attach rk0 os8.rk05", "an RK8E disk, which no PDP-8/L had"),
+        ("boot -d rk0", "an RK8E disk"),
+        ("set clk enabled", "a KW8 is fitted by pdp8 monitor --device kw8"),
+        ("deposit rf0 wc 3", "an RF08 disk, which is not emulated"),
+        ("deposit -m 200 CLA CLB", "CLA CLB: no instruction"),
+        ("! ls", "no command of the system"),
         ("dump core.bin", "punch 0-7577"),
-        ("run 200", "go A starts it"),
-        ("if not exist x goto y", "no conditions"),
+        ("if not exist x goto y", "goto stands in scripts"),
+        ("if (AC == 0) echo x", "if [not] exist FILE COMMAND"),
     ],
 )
 def test_what_is_not_here_says_what_is(line: str, said: str) -> None:
@@ -98,3 +106,61 @@ def test_core_becomes_a_tape() -> None:
     assert said[1] == "wrote core.bin: 3,968 words in BIN format"
     words = shelf.program("eia.pal").words
     assert {at: monitor.machine.core[at] for at in words} == words
+
+
+def test_a_script_of_simh() -> None:
+    """Devices by name, switches, jumps, conditions; RUN is START; what a PDP-8/L has not ends it."""
+    said: list[str] = []
+    lines = """\
+        set cpu 32k|set df dis|set dt disabled|set rk dis|deposit int-throttle THROT_DELAY 3|set tti ksr
+        dep -m 200 CLA CMA|d -m 201 HLT|d cpu pc 0|if exist program.bin goto there|echo no|:there
+        if not exist none run 200|e -o cpu ac|attach rx0 os8.dsk"""
+    Path("boot.ini").write_text("\n".join(each.strip() for each in re.split(r"[|\n]", lines)))
+    with pytest.raises(MonitorError, match=r"boot\.ini, line 15: rx0: an RX8E floppy, which no PDP-8/L had"):
+        do(Monitor(said.append), "do boot.ini")
+    assert said[0] == "no PDP-8/L had 32K, nor three bits of field"
+    assert said[-2:] == ["halt; 0.000003 s; next 0202  0000          AND 0000", "AC 7777"]
+    assert "no" not in said
+
+
+def test_fields_are_those_of_simh() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append)
+    for line in ("set cpu 8k", "set df 1", "deposit sf 11", "e if,df,ib,sf", "assert df 1", "e state"):
+        do(monitor, line)
+    assert [type(each).__name__ for each in monitor.machine.devices] == ["Teletype"]
+    assert said[:4] == ["IF 0000", "DF 0001", "IB 0000", "SF 0011"]
+    assert said[4].endswith("  IF 0 DF 1 IB 0 SF 11 EMA 0")
+    for line in ("set df 2", "set sf 20", "d if 2"):
+        with pytest.raises(MonitorError, match="not between"):
+            do(monitor, line)
+    Path("far.pal").write_text("*200\nHLT\nFIELD 1\n*200\n1\n$\n")
+    do(monitor, "load far.pal", "assert 10200 1")
+    do(monitor, "deposit 10200 0", "set cpu 4k")
+    with pytest.raises(MonitorError, match=r"df: this machine has 4K of core.*set cpu 8k"):
+        do(monitor, "e df")
+    with pytest.raises(WorkError, match="a PDP-8/L with 4K of core ends at 07777"):
+        do(monitor, "load far.pal")
+
+
+def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append)
+    do(
+        monitor,
+        "attach df0 discs",
+        "attach lpt text",
+        "d 200 1300 6664 1301 6605 6622 5204 7402",
+        "d 300 0301 0007",
+    )
+    do(monitor, "d 7750 7777 0277", "go 200", "wait 1", "show", "detach lpt")
+    assert said[-2:] == ["df   df: 1 word of discs were written", "wrote text"]
+    assert Path("text").read_text() == "A"
+    with pytest.raises(MonitorError, match="df: 1 word of discs were written; detach df FILE saves them"):
+        do(monitor, "detach df")
+    rack.leave(monitor)
+    assert said[-1] == "df: 1 word of discs were written, and not saved: wrote discs-changed"
+    assert Path("discs-changed").read_bytes()[0o310 * 2 :][:2] == b"\xc1\0"
+    do(monitor, "detach df after")
+    assert Path("after").read_bytes() == Path("discs-changed").read_bytes()
+    assert not any(Path("discs").read_bytes())
