@@ -108,7 +108,7 @@ def _addressed(rows: list[_Row]) -> list[_Row]:
 
 
 def _notation(numbers: list[str], words: bool) -> str:
-    """Return what all numbers are, "" if there is nothing that they are; `words` may be of two frames."""
+    """Return the notation that all numbers have, or ""; with `words` a number may be of two frames."""
     if not numbers:
         return ""
     if all(_is_number(number, _BINARY, 8, 8) for number in numbers):

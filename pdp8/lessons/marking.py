@@ -62,7 +62,7 @@ class Result:
 
     @property
     def right(self) -> bool:
-        """Whether all is known to be right."""
+        """Whether every mark is right, and none is unknown."""
         return not self.fault and not any(mark.failures or mark.given for mark in self.marks)
 
 

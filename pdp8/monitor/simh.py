@@ -137,7 +137,7 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
             debugging.set_core(monitor, value)
         elif value not in ("idle", "noidle", "noeae", ""):
             raise MonitorError(
-                f"{value}: {', '.join(MEMORY)} are the sizes of core; no EAE, and idle is always so"
+                f"{value}: {', '.join(MEMORY)} are the sizes of core. There is no EAE; idle is always on"
             )
     elif kind in rack.RACK and not value.isdecimal():
         if value.startswith("en"):

@@ -20,7 +20,7 @@ class Said(NamedTuple):
 
 
 class Findings(NamedTuple):
-    """What became of a source: line, address, word of places; the first diagnostics; a sentence on all."""
+    """What the assembler made of a source: (line, address, word)s; the first diagnostics; a summary."""
 
     ok: bool
     tape: bytes

@@ -72,7 +72,7 @@ class Reading:
 
     @property
     def runs(self) -> list[tuple[int, list[tuple[int, Frame]]]]:
-        """Return the tape in runs that one strip shows: the strip's number, and the numbered frames."""
+        """Return the frames in runs of one strip each: (number of the strip, [(number, frame)])."""
         runs = groupby(self._tape, key=lambda one: one[2])
         return [(strip, [(number, frame) for number, frame, _ in run]) for strip, run in runs]
 

@@ -108,7 +108,7 @@ def check_output(name: str) -> None:
     """Raise ShelfError where `name` cannot be written, or is a file and --no-clobber was given."""
     shelf.check_writable(name)
     if keeps(click.get_current_context()) and os.path.isfile(name):
-        raise shelf.ShelfError(f"{name} is there already; it would be replaced but for --no-clobber")
+        raise shelf.ShelfError(f"{name} exists, and --no-clobber forbids to replace it")
 
 
 def put(name: str, product: str | bytes) -> None:
