@@ -35,9 +35,9 @@ _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".d
 """Endings that tell another format than SVG."""
 
 _IMAGES = {
-    **dict.fromkeys((".rk05", ".rl01", ".rf08", ".dsk"), "a disk image: there is no disk on this machine"),
-    **dict.fromkeys((".rx01", ".rx02"), "a floppy's image: there is no floppy on this machine"),
-    **dict.fromkeys((".tu56", ".dt8"), "a DECtape image"),
+    **dict.fromkeys((".rk05", ".rl01", ".rf08", ".dsk"), "a disk image"),
+    **dict.fromkeys((".rx01", ".rx02"), "a floppy's image; no PDP-8/L had one"),
+    **dict.fromkeys((".tu56", ".dt8"), "a DECtape image: --dectape 0=FILE mounts it, or attach dt0 FILE"),
 }
 """Files of other emulators, by their endings."""
 
@@ -154,7 +154,11 @@ def read(name: str, most: int = LARGEST) -> bytes:
             raise ShelfError(f"{name}: {error.strerror}") from error
         remember(path)
     if len(content) > most:
-        raise ShelfError(f"{called(name)}: longer than {most:,} bytes, the most that is read of a file")
+        from tapes import dectape
+
+        image = "" if name == "-" else dectape.image(os.path.getsize(path))
+        what = f"{image}, " if image else ""
+        raise ShelfError(f"{called(name)}: {what}longer than {most:,} bytes, the most that is read of a file")
     if is_utf16(content):
         raise ShelfError(
             f"{called(name)}: UTF-16, as PowerShell's > writes it; save a text as UTF-8, and let a command "
@@ -176,7 +180,7 @@ def program(name: str, force: bool = False, dialect: str = "auto", memory: int =
 
     image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
     if image:
-        raise ShelfError(f"{name}: {image}, and no program tape")
+        raise ShelfError(f"{name}: no program tape: {image}")
     return program.read(read(name), name, force, dialect, memory)
 
 

@@ -27,6 +27,12 @@ _OTHERS = {
 }
 
 
+def image(length: int) -> str:
+    """Return what image a file of so many bytes may be, "" for none."""
+    sizes = {2 * BLOCKS * width: "a DECtape image" for width in _WIDTHS}
+    return {**sizes, **_OTHERS}.get(length, "")
+
+
 class Image:
     """The words of a tape, and how its file has them. It does not change."""
 
@@ -83,7 +89,7 @@ def is_image(content: bytes) -> bool:
 
 def _no_image(length: int) -> str:
     lengths = " or ".join(f"{2 * BLOCKS * width:,}" for width in _WIDTHS)
-    what = _OTHERS.get(length)
+    what = image(length)
     said = f"{length:,} bytes: {what}" if what else f"{length:,} bytes"
     return f"{said}; a DECtape image has {lengths}"
 

@@ -323,7 +323,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
     """
     from pal.disassembler import disassemble_tape
     from pal.formatting import silenced
-    from tapes import binary, codes, dump
+    from tapes import binary, codes, dectape, dump
     from tapes.code import Characters
     from tapes.loaders import Words
 
@@ -333,6 +333,8 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
         code = codes.recognise(frames)
         if isinstance(code, Characters):
             raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
+        if not isinstance(code, Words) and (what := dectape.image(len(frames))):
+            raise WorkError(f"{what}, not a tape in BIN or RIM")
         damage = code.damage(frames) if isinstance(code, Words) and force else None
         notes = code.left_out(frames) if isinstance(code, Words) else ()
         if damage and isinstance(code, Words):

@@ -31,6 +31,10 @@ _STYLES: Final = {
 }
 
 
+_COLUMN = 16
+"""Characters of a terminal for each column of a table; a narrower one has paragraphs."""
+
+
 @click.group(cls=Group)
 def thesis() -> None:
     """The thesis, page by page: its figures, tables and listings reproduced, its programs line by line.
@@ -143,6 +147,18 @@ def make(number: str | None, output: str, facsimile: bool) -> None:
         command.tell(f"begin with {os.path.join(output, 'index.html')}")
 
 
+@thesis.command("list", cls=Command)
+def list_() -> None:
+    """List every figure, table, listing and program of the thesis with what there is of it here.
+
+    \b
+    Examples:
+      pdp8 thesis list
+      pdp8 thesis list | grep lost
+    """
+    _list()
+
+
 def _list() -> None:
     from pdp8.thesis.catalogue import catalogue
     from pdp8.thesis.table import Table
@@ -245,9 +261,19 @@ def _show(table: "Table", title: str, coloured_by: int, output: str = "-") -> No
         return
     from rich.console import Console
     from rich.markup import escape
+    from rich.padding import Padding
     from rich.table import Table as Shown
 
-    shown = Shown(*table.headings, title=title)
+    console, shown = Console(), Shown(*table.headings, title=title)
+    narrow = console.width < _COLUMN * len(table.headings)
     for row in table.rows:
-        shown.add_row(*map(escape, row), style=_STYLES.get(row[coloured_by]))
-    Console().print(shown)
+        style = _STYLES.get(row[coloured_by])
+        if narrow:  # a row is a paragraph
+            first, second, *more = map(escape, row)
+            console.print(f"{first}  {second}", style=style, highlight=False)
+            cells = [f"{name}: {cell}" for name, cell in zip(table.headings[2:], more, strict=True) if cell]
+            console.print(Padding("; ".join(cells), (0, 0, 0, 4)), style=style, highlight=False)
+        else:
+            shown.add_row(*map(escape, row), style=style)
+    if not narrow:
+        console.print(shown)

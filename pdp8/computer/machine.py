@@ -129,8 +129,11 @@ class Machine:
 
     def load(self, words: Mapping[int, int] | Iterable[tuple[int, int]]) -> None:
         """Put {address: word} into core. Raises LoadError, and loads nothing, if one is out of range."""
-        if isinstance(words, str):
-            raise LoadError("a name: load(pdp8.assemble(pdp8.tape(NAME))) loads a source")
+        if isinstance(words, (str, bytes)):
+            raise LoadError(
+                "a name or a tape: load(pdp8.assemble(pdp8.tape(NAME))) loads a source, "
+                "load(pdp8.binary.decode(pdp8.tape(NAME)).words) a BIN tape"
+            )
         words = dict(words)
         for address, word in words.items():
             if not 0 <= address < self.memory:

@@ -13,6 +13,7 @@ from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tapes import dectape
 from tapes.errors import TapeError, WorkError
+from tests.conftest import Call
 from tests.pdp8.computer.dectape.reel import file
 
 WHOLE = dectape.blank().content()
@@ -96,3 +97,12 @@ def test_what_nobody_saved_is_left_beside(monitor: Monitor, tmp_path: Path, full
     with patch.object(shelf, "write", failing(full)), patch("tempfile.tempdir", str(tmp_path / "tmp")):
         rack.leave(monitor)
     assert dectape.decode((tmp_path / place).read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
+
+
+def test_an_image_is_no_program(call: Call, tmp_path: Path) -> None:
+    for length, what in ((380_292, "a DECtape image"), (65_536, "a DF32 disk"), (3_325_952, "an RK05 disk")):
+        (tmp_path / "image.bin").write_bytes(b"\x93\x0e" * (length // 2))
+        assert f"image.bin: {what}" in call("pdp8 run image.bin")[2]
+        assert f"image.bin: {what}" in call("pdp8 dis image.bin")[2]
+    (tmp_path / "os8.rk05").write_bytes(b"1")
+    assert "os8.rk05: no program tape: a disk image" in call("pdp8 run os8.rk05")[2]

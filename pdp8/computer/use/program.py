@@ -89,7 +89,9 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND, me
         elif code is codes.BLANK_TAPE:
             raise WorkError(f"the program tape is {'blank' if frames else 'empty'}")
         else:
-            raise WorkError("neither PAL source nor a BIN or RIM tape")
+            from tapes import dectape
+
+            raise WorkError(dectape.image(len(frames)) or "neither PAL source nor a BIN or RIM tape")
         program.notes = (note, *program.notes) if note else program.notes
         if not program.words:
             raise WorkError("; ".join(("no word in it goes into core", *program.notes)))

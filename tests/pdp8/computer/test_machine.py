@@ -1,5 +1,6 @@
 """The machine as a whole: what may be looked at and set, and that nothing an operator does makes it raise."""
 
+import re
 import sys
 from collections.abc import Callable
 from importlib.metadata import version
@@ -203,3 +204,16 @@ def test_the_names_of_the_package() -> None:
         pdp8.Mill  # noqa: B018
     done = commands.run(sys.executable, "-m", "pdp8", "--version")
     assert done.stdout.decode().startswith(f"pdp8, version {pdp8.__version__}, ")
+
+
+@pytest.mark.parametrize("given", ["prog.pal", b"\x80\x41"])
+def test_what_is_no_words_says_what_to_type(given: str | bytes) -> None:
+    """The two calls that the message names load a source and a tape."""
+    machine = Machine()
+    with pytest.raises(LoadError) as refused:
+        machine.load(given)  # type: ignore[arg-type]
+    calls = re.findall(r"load\(.*?NAME\)(?:\.words)?\)+", str(refused.value))
+    for call, name in zip(calls, ("eia.pal", "eia.bin"), strict=True):
+        machine.core[0o200] = 0
+        exec(f"machine.{call.replace('NAME', repr(name))}", {"machine": machine, "pdp8": pdp8})
+        assert machine.core[0o200] == 0o6046

@@ -5,9 +5,10 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from pdp8.cli.thesis import _show
 from pdp8.thesis.catalogue import catalogue
-from pdp8.thesis.numbers import numbers
-from tests.conftest import Shell
+from pdp8.thesis.numbers import numbers, table
+from tests.conftest import Call, Shell
 
 
 @pytest.mark.parametrize(
@@ -61,3 +62,22 @@ def test_what_there_is_not_is_said(line: str, said: str, shell: Shell) -> None:
     done = shell(f"pdp8 thesis {line}")
     assert done.returncode == 1
     assert done.stderr.decode().startswith(f"pdp8 thesis {said}")
+
+
+def test_a_narrow_terminal_has_every_word(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    rows = table(7)
+    _show(rows, "", coloured_by=4)
+    lines = [line.rstrip() for line in capsys.readouterr().out.splitlines()]
+    assert max(map(len, lines)) <= 60
+    assert all(
+        " ".join(cell.split()) in " ".join(" ".join(lines).split()) for row in rows.rows for cell in row
+    )
+
+
+def test_the_list_is_what_can_be_made(call: Call) -> None:
+    assert call("pdp8 thesis list")[1] == call("pdp8 thesis make")[1] != ""
