@@ -2,15 +2,15 @@
 // Objects of the page by themselves, on a page that has nothing: what each does the second time, at an end, or while it is
 // still at the first. `cases` has what is seen, and what has to be seen, by what is tried.
 
-const nothing = () => undefined;
+export const nothing = () => undefined;
 function blank() {
   return anything;
 }
 /** Answers whatever it is asked. */
-const anything = new Proxy(blank, { get: (_, name) => (name === Symbol.toPrimitive ? () => 0 : name === Symbol.iterator ? [][Symbol.iterator] : name === "then" ? undefined : anything), set: () => true });
+export const anything = new Proxy(blank, { get: (_, name) => (name === Symbol.toPrimitive ? () => 0 : name === Symbol.iterator ? [][Symbol.iterator] : name === "then" ? undefined : anything), set: () => true });
 
 /** An element: it keeps what is set, and has one child for each selector. */
-class Element {
+export class Element {
   constructor() {
     Object.assign(this, { children: [], classes: new Set(), dataset: {}, heard: {}, held: {}, hidden: false, options: [], value: "", textContent: "" });
     this.classList = { contains: (name) => this.classes.has(name), add: (name) => this.classes.add(name), remove: (name) => this.classes.delete(name), toggle: (name, on = !this.classes.has(name)) => (this.classes[on ? "add" : "delete"](name), on) };
@@ -28,15 +28,15 @@ class Element {
   get previousElementSibling() { return this.querySelector("before"); }
 }
 
-const page = new Element();
-const find = (id) => page.querySelector(id);
+export const page = new Element();
+export const find = (id) => page.querySelector(id);
 const store = () => {
   const kept = {};
   const methods = { getItem: (name) => kept[name] ?? null, setItem: (name, text) => (kept[name] = text), removeItem: (name) => delete kept[name] };
   return Object.setPrototypeOf(kept, methods);
 };
 const still = { on: false };
-const drawn = []; // what is written on canvases
+export const drawn = []; // what is written on canvases
 class Sheet extends Element {
   getContext() { return new Proxy(blank, { get: (_, name) => (name === "fillText" ? (text) => drawn.push(text) : anything[name]), set: () => true }); }
 }
@@ -57,12 +57,12 @@ Object.assign(globalThis, {
   sessionStorage: store(), localStorage: store(),
 });
 
-const get = async (module) => import(`./pdp8/web/${module}.mjs`);
-const machine = async () => new (await import("./pdp8/computer/machine.mjs")).Machine((await import("./pdp8/computer/hardware/devices.mjs")).one_of_each());
-const soon = (milliseconds = 0) => new Promise((done) => setTimeout(done, milliseconds));
+export const get = async (module) => import(`./pdp8/web/${module}.mjs`);
+export const machine = async () => new (await import("./pdp8/computer/machine.mjs")).Machine((await import("./pdp8/computer/hardware/devices.mjs")).one_of_each());
+export const soon = (milliseconds = 0) => new Promise((done) => setTimeout(done, milliseconds));
 
 /** A room over an afternoon of seven acts of a hundred seconds each; `released` has the machines that were given back. */
-async function room(reduced = false) {
+export async function room(reduced = false) {
   still.on = reduced;
   const acts = Array.from({ length: 7 }, (_, at) => ({ kind: "", starts: at * 2e9, ends: (at + 1) * 2e9 }));
   const story = Array.from({ length: 8 }, (_, at) => [`${at}`, `act ${at}`]);
@@ -76,14 +76,14 @@ async function room(reduced = false) {
   return new (await get("room/room")).Room(bench);
 }
 
-async function worked(word) {
+export async function worked(word) {
   const made = await machine();
   made.processor.deposit(0o200, word);
   return made;
 }
 
 /** An afternoon whose script stands at its end. */
-async function afternoon() {
+export async function afternoon() {
   const clock = { wake: nothing };
   const bench = { clock, show: nothing, tell: nothing, aim: nothing, history: { close: nothing }, record: { afternoon: { machines: [] } }, switches: { panel: {}, card: { end: nothing } } };
   const made = new (await get("bench/afternoon")).Afternoon(bench);
@@ -93,7 +93,7 @@ async function afternoon() {
 }
 
 /** A figure whose only input has a name and a value. */
-async function figure(id, name, value, dataset = {}) {
+export async function figure(id, name, value, dataset = {}) {
   const input = Object.assign(find(id).querySelector("input"), { name, value: String(value), dataset });
   return [input, await get("curve/drawing")];
 }

@@ -1,4 +1,4 @@
-"""Objects of the page at a second use, at an end, or while the first use is still going on (again.mjs)."""
+"""Objects of the page at a second use, at an end, or while the first use is still going on (again*.mjs)."""
 
 import json
 import re
@@ -10,10 +10,14 @@ import pytest
 
 from tests.pdp8.web import node
 
-SOURCE = Path(__file__).with_name("again.mjs")
-CASES = re.findall(r'^  "(.+)": async', SOURCE.read_text(encoding="utf-8"), re.MULTILINE)
-_ALL = """async () => {
-  const { cases } = await import("@/again.mjs");
+SOURCES = sorted(Path(__file__).parent.glob("again*.mjs"))
+CASES = [
+    (source.stem, name)
+    for source in SOURCES
+    for name in re.findall(r'^  "(.+)": async', source.read_text(encoding="utf-8"), re.MULTILINE)
+]
+_ALL = """async (module) => {
+  const { cases } = await import("@/" + module + ".mjs");
   const seen = {};
   for (const [name, act] of Object.entries(cases)) {
     seen[name] = await act().catch((error) => [String(error.stack), "no error"]);
@@ -25,13 +29,14 @@ pytestmark = node.needs_node
 
 
 @cache
-def _seen() -> dict[str, list[object]]:
-    shutil.copy(SOURCE, node.modules())
-    seen: dict[str, list[object]] = json.loads(node.in_node(_ALL))
+def _seen(module: str) -> dict[str, list[object]]:
+    for source in SOURCES:
+        shutil.copy(source, node.modules())
+    seen: dict[str, list[object]] = json.loads(node.in_node(_ALL, module))
     return seen
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_again(name: str) -> None:
-    seen, wanted = _seen()[name]
+@pytest.mark.parametrize(("module", "name"), CASES)
+def test_again(module: str, name: str) -> None:
+    seen, wanted = _seen(module)[name]
     assert seen == wanted

@@ -1,0 +1,406 @@
+/* global location, performance */
+// The panes of the desk by themselves (again.mjs): lists, limits, what is shown beside what is done.
+
+import { anything, afternoon, Element, find, get, machine, nothing, page, soon } from "./again.mjs";
+
+const rows = (count) => Array.from({ length: count }, () => new Element());
+const writer = { text: (element, text) => (element.textContent = text), html: (element, { source }) => (element.innerHTML = source), label: (element, text) => (element.ariaLabel = text), fill: nothing };
+
+/** A desk with a machine, on which `touch` works at it. */
+async function desk(more = {}) {
+  Object.assign(page, { heard: {}, hidden: false });
+  const bench = { machine: await machine(), afternoon: { on: false, takeOver: nothing }, room: { open: false, answer: nothing }, writer, said: [], show: nothing, say: (words) => bench.said.push(words), ...more };
+  bench.touch = (work) => work(bench.machine);
+  bench.touched = nothing;
+  return bench;
+}
+
+/** A key pressed where nothing has keys of its own; return whether it was taken. */
+function press(key, more = {}) {
+  let taken = false;
+  page.hear("keydown", { key, target: { matches: () => false }, preventDefault: () => (taken = true), ...more });
+  return taken;
+}
+
+export const cases = {
+  "of the tabs the one that is shown is in the row of Tab": async () => {
+    const panes = ["program", "exercises", "mill"].map((id) => Object.assign(new Element(), { id, dataset: { tab: id } }));
+    const { querySelectorAll } = page;
+    page.querySelectorAll = () => panes;
+    find("tabs").children = panes.map(({ id }) => Object.assign(new Element(), { dataset: { opens: id } }));
+    const bench = await desk();
+    const tabs = new (await get("bench/tabs")).Tabs(bench);
+    page.querySelectorAll = querySelectorAll;
+    const state = () => [tabs.kept, find("tabs").children.map(({ tabIndex, ariaSelected }) => [tabIndex, ariaSelected]), panes.map(({ hidden }) => hidden)];
+    const seen = [state()];
+    tabs.open("mill");
+    seen.push(state());
+    tabs.kept = "nothing";
+    bench.exercises = { sheet: false };
+    tabs.open("exercises");
+    seen.push(panes.map(({ hidden }) => hidden));
+    bench.exercises.sheet = true;
+    tabs.open("exercises");
+    seen.push(panes.map(({ hidden }) => hidden));
+    find("tabs").children = [];
+    return [seen, [
+      ["program", [[0, "true"], [-1, "false"], [-1, "false"]], [false, true, true]], ["mill", [[-1, "false"], [-1, "false"], [0, "true"]], [true, true, false]],
+      [false, false, true], [true, false, true]]];
+  },
+  "a screen rests so long after the last touch": async () => {
+    location.search = "?rest=12";
+    const { RESTS, rest } = await import("./pdp8/web/bench/alone.mjs?rest");
+    location.search = "";
+    const due = new Map();
+    const before = { setTimeout: globalThis.setTimeout, clearTimeout: globalThis.clearTimeout };
+    let count = 0, loaded = 0;
+    Object.assign(globalThis, { setTimeout: (act, after) => (due.set((count += 1), [act, after]), count), clearTimeout: (number) => due.delete(number) });
+    Object.assign(location, { reload: () => (loaded += 1) });
+    page.heard = {};
+    rest();
+    page.hear("pointerdown");
+    page.hear("keydown");
+    const waits = [...due.values()];
+    Object.assign(globalThis, before);
+    waits.forEach(([act]) => act());
+    return [[RESTS, waits.length, waits[0][1], loaded], [12, 1, 12000, 1]];
+  },
+  "it rests after ten seconds at the least, and only where it is asked": async () => {
+    const seen = [];
+    for (const [search, wanted] of [["?rest=1", 10], ["?rest=10", 10], ["?rest=11", 11], ["?rest=0", 0], ["?rest=-5", 0], ["?rest=x", 0]]) {
+      location.search = search;
+      seen.push((await import(`./pdp8/web/bench/alone.mjs?${search}`)).RESTS === wanted);
+    }
+    location.search = "";
+    return [seen, Array(6).fill(true)];
+  },
+  "an exercise that is opened has no marks of the one before": async () => {
+    const { Exercises } = await get("bench/exercises");
+    const [add, sheet] = [{ title: "Add", task: "" }, { title: "Sheet", task: "", question: [{ name: "a", ask: "?", answer: 1 }] }];
+    const opened = [];
+    const bench = await desk({ record: { exercises: { add, sheet } }, editor: { name: "x.pal", begin: (name) => opened.push(name) }, programs: { get: (name) => (name === "add.pal" ? "HLT" : undefined) }, tabs: { open: nothing } });
+    const made = new Exercises(bench);
+    let wiped = 0;
+    find("marks").replaceChildren = () => (wiped += 1);
+    made.open("sheet");
+    made.answer({ name: "a", value: "1" });
+    made.answer({ name: "b", value: "2" });
+    made.open("add");
+    bench.editor.name = "add.pal";
+    made.open("add");
+    const answers = made.answers.read("sheet");
+    made.marks.keep("add", JSON.stringify([3, 5, false]));
+    made.open("sheet");
+    const fails = find("asked").innerHTML.includes('value="1"');
+    return [[wiped, opened, answers, fails, made.sheet], [4, ["add.pal"], { a: "1", b: "2" }, true, true]];
+  },
+  "an exercise's cases that failed are named, the others and hidden ones not": async () => {
+    const { located, marks } = await get("bench/marker");
+    const trial = (core) => [{ core: [["0300", core]] }];
+    const tables = { title: "T", task: "", case: [{ name: "right", trial: trial(5), points: 1 }, { name: "wrong", trial: trial(6), points: 1 }, { name: "secret", hidden: true, trial: trial(7), points: 1 }] };
+    const source = "*200\nCLA\nTAD X\nDCA I Y\nHLT\nX, 5\nY, 300\n$\n";
+    const result = marks(tables, "a.pal", source);
+    return [[result.wrong, result.points, result.of, result.right, located(tables, "a.pal", source, "right"), located(tables, "a.pal", source, "wrong") !== null], [["wrong", ""], 1, 3, false, null, true]];
+  },
+  "of two tolerances asked for the last is shown, whichever comes first": async () => {
+    const { Mill } = await get("bench/mill");
+    const answers = [];
+    const frames = Object.assign(Uint8Array.of(0o40), { decode: () => "" });
+    const mill = new Mill(await desk({ shelf: { get: () => ({ frames }) }, apart: { ask: () => new Promise((done) => answers.push(done)) } }));
+    const laid = [];
+    mill.lay = (name, of) => (laid.push(name), Object.assign(mill, { frames: of.length, path: { cuts: [], times: { total: 0 } } }));
+    const done = ["6", "6"].map((value) => mill.loosen({ value }));
+    answers[1]([0o40, 0o40]);
+    await soon();
+    answers[0]([0o40]);
+    await Promise.all(done);
+    return [[laid, mill.frames], [["circle within 0.015 in"], 2]];
+  },
+  "a tape with a leader is under the mill's head at its first block": async () => {
+    const { Mill } = await get("bench/mill");
+    const { bytes } = await import("./pdp8/web/translator/runtime.mjs");
+    const { text, path } = (await get("method")).circle(200, true);
+    const frames = bytes([0, 0, 0, ...(await import("./tapes/eia.mjs")).encode(text.replaceAll(" ", "0"))]);
+    const mill = new Mill(await desk({ record: { cutter: 500 }, tabs: { open: nothing } }));
+    find("mill").hidden = false;
+    mill.lay("a.eia", frames, path);
+    const head = () => find("mill-reader").querySelector(".name").textContent.split(" ")[1];
+    const seen = [-1e9, 1, path.times.total * 2e7].map((ticks) => (mill.follow(ticks), [Number(head()) > 3, find("whole-label").textContent.includes(`block ${path.steps.length} of`)]));
+    mill.follow(-1);
+    seen.push(head(), find("whole-label").textContent.startsWith("waits for its tape"), find("refusal").textContent);
+    mill.lay("b.eia", frames, null, "Refused: it");
+    return [[seen, mill.summary], [[[false, false], [false, false], [true, true], "3", true, ""], "Refused: it"]];
+  },
+  "speeds go no further than the first and the last": async () => {
+    const { Time } = await get("bench/time");
+    const set = [];
+    const bench = await desk({ clock: { set speed(speed) { set.push(speed); } } });
+    void new Time(bench);
+    find("time").querySelector = () => null;
+    const select = Object.assign(find("speed"), { options: ["1", "2", "4"].map((value) => ({ value })), at: 1 });
+    Object.defineProperty(select, "selectedIndex", { configurable: true, get() { return this.at; }, set(at) { this.at = at; this.value = this.options[at]?.value; } });
+    const taken = ["+", "=", "-", "-", "-", "-"].map((key) => press(key));
+    bench.room.open = true;
+    taken.push(press("+"));
+    bench.room.open = false;
+    taken.push(press("+", { ctrlKey: true }), press("+", { defaultPrevented: true }), press("+", { target: { matches: () => true } }));
+    delete find("time").querySelector;
+    delete select.selectedIndex;
+    return [[set, taken], [[4, 4, 2, 1, 1, 1], [true, true, true, true, true, true, false, false, false, false]]];
+  },
+  "a tab that was hidden while the machine ran tells for how long, each time anew": async () => {
+    const said = [];
+    const bench = await desk({ tell: (words) => said.push(words) });
+    const { Clock } = await get("bench/clock");
+    const clock = new Clock(bench, nothing);
+    const { now } = performance;
+    let time = 1000;
+    performance.now = () => time;
+    page.title = "desk";
+    const hide = (hidden, after) => {
+      time += after;
+      page.hidden = hidden;
+      page.hear("visibilitychange");
+      return page.title;
+    };
+    clock.wake();
+    const titles = [hide(true, 0), hide(false, 5000), hide(false, 100)];
+    clock.pictures.stop();
+    titles.push(hide(true, 100), hide(false, 9000));
+    clock.pictures.stop();
+    performance.now = now;
+    return [[titles, said], [["Stopped: desk", "desk", "desk", "desk", "desk"], ["The tab was hidden; everything stood still for 5 s."]]];
+  },
+  "the speed that is kept is written as it is": async () => {
+    const clock = new (await get("bench/clock")).Clock({}, nothing);
+    const seen = [0, 0.01, 0.5, 0.89, 0.9, 1, 9.44, 9.5, 120].map((measured) => ((clock.measured = measured), clock.kept));
+    return [seen, ["", "1 : 100", "1 : 2", "1 : 1", "0.9 x", "1.0 x", "9.4 x", "10 x", "120 x"]];
+  },
+  "a hand at a machine that stands does nothing but its own": async () => {
+    const { Switches } = await get("bench/switches");
+    const bench = await desk();
+    page.querySelectorAll = () => [];
+    const keys = { __proto__: Switches.prototype, bench, card: { allows: () => true } };
+    bench.machine.processor.deposit(0o200, 0o7001);
+    bench.machine.pc = 0o200;
+    const { processor } = bench.machine;
+    keys.press("sing step");
+    const seen = [processor.instructions, processor.sing_step, processor.mem_prot];
+    keys.press("mem prot");
+    keys.press("sing step");
+    seen.push(processor.sing_step, processor.mem_prot);
+    return [seen, [0, 1, 0, 0, 1]];
+  },
+  "a machine taken over plays no more, and the way back is there": async () => {
+    const made = await afternoon();
+    const adopted = [];
+    made.bench.adopt = (of, stops) => adopted.push(stops);
+    Object.assign(made.bench, { teletype: { named: nothing } });
+    Object.assign(made.made, { mounted: "", day: { tapes: new Map() } });
+    made.playing = true;
+    made.takeOver();
+    const first = [made.on, made.playing, made.way.source.includes("afternoon.back")];
+    made.takeOver();
+    Object.assign(made, { on: true, playing: false });
+    made.takeOver();
+    return [[first, adopted], [[false, false, true], [false, true]]];
+  },
+  "a key shows as pressed for a moment, an instant is in the address": async () => {
+    const made = await afternoon();
+    const second = 20_000_000;
+    made.made.action = { at: 10 * second, key: "start" };
+    const shown = [10, 10.39, 10.4, 11].map((now) => ((made.made.now = now * second), made.pressed));
+    made.on = false;
+    made.made.now = 10 * second;
+    shown.push(made.pressed);
+    const asked = ["#t=5", "#t=0", "#workbench&t=2.5", "#workbench", "#t=x", ""].map((hash) => ((location.hash = hash), made.asked));
+    location.hash = "";
+    return [[shown, asked], [["start", "start", null, null, null], [5 * second, 0, 2.5 * second, null, null, null]]];
+  },
+  "a word of core that changed is marked, until it is looked at again": async () => {
+    const { Core } = await get("bench/core");
+    const [heads, cells] = [rows(16), rows(128)];
+    find("words").querySelectorAll = (kind) => (kind === "th" ? heads : cells);
+    find("debugger").hidden = false;
+    find("page").value = "1";
+    const bench = await desk();
+    const core = new Core(bench);
+    const state = () => [cells[8].value, cells[8].classes.has("changed")];
+    const seen = [state()];
+    bench.machine.processor.deposit(0o210, 0o1234);
+    core.write();
+    seen.push(state());
+    core.write();
+    seen.push(state());
+    for (const value of ["7777", "8", "12345", ""]) core.set(Object.assign(cells[8], { value }));
+    core.write();
+    seen.push(state(), heads[1].textContent, cells[127].ariaLabel);
+    find("page").value = "31";
+    core.turn();
+    seen.push(cells[127].ariaLabel, cells[8].classes.has("changed"));
+    delete find("words").querySelectorAll;
+    return [seen, [["0000", false], ["1234", true], ["1234", false], ["7777", false], "0210", "core 0377", "core 7777", false]];
+  },
+  "registers take octal words as wide as they are": async () => {
+    const { Registers } = await get("bench/registers");
+    const made = Object.assign(Object.create(Registers.prototype), { bench: await desk() });
+    const input = (ariaLabel, value) => made.set({ ariaLabel, value, blur: nothing });
+    const { machine: own } = made.bench;
+    const seen = [["AC", "7777"], ["AC", "10000"], ["AC", "8"], ["L", "1"], ["L", "2"], ["PC", "200"], ["PC", ""]].map(([name, value]) => (input(name, value), [own.ac, own.link, own.pc]));
+    return [seen, [[4095, 0, 0], [4095, 0, 0], [4095, 0, 0], [4095, 1, 0], [4095, 0, 0], [4095, 0, 128], [4095, 0, 128]]];
+  },
+  "a link's state is whole again, and no longer than it may be": async () => {
+    const { LONGEST, opened, shortened, whole } = await get("bench/sharing");
+    const tapes = new Map([["a.bin", "001 002 003 004"], ["b.bin", "007 007"]]);
+    const usual = { ac: 0, punch: [], deep: { on: 1, off: 0 } };
+    const states = [usual, { ac: 5, punch: ["002", "003"], deep: { on: 1, off: 0 } }, { ac: 0, punch: ["007", "006"], deep: { on: 0, off: 0 } }];
+    const short = states.map((state) => shortened(state, usual, tapes));
+    const back = short.map((state) => ({ ...usual, ...whole(state, tapes) }));
+    let refused = "";
+    try { whole({ punch: { $tape: ["c.bin", 0, 3] } }, tapes); } catch (error) { refused = error.message; }
+    const lengths = [];
+    for (const length of [2 * LONGEST, 2 * LONGEST + 1]) {
+      location.hash = `#s=${"a".repeat(length)}`;
+      lengths.push(await opened().catch(({ message }) => message.split(" ")[1]));
+    }
+    location.hash = "#exercise=add%20up";
+    const named = await opened();
+    location.hash = "";
+    return [[short, back[1].punch, back[2].punch, refused, lengths, named, await opened()], [
+      [{}, { ac: 5, punch: { $tape: ["a.bin", 4, 11] } }, { punch: ["007", "006"], deep: { on: 0 } }],
+      ["002 003"], ["007", "006"], "no tape c.bin is bundled", ["is", "has"], { exercise: "add up" }, null]];
+  },
+  "work apart ends all that is asked when it is late, and begins anew": async () => {
+    const { Apart, serve } = await get("bench/apart");
+    const apart = new Apart();
+    page.querySelectorAll = () => [];
+    const said = ({ message }) => message;
+    const one = apart.ask("a", [], 0.01).catch(said), two = apart.ask("b", [], 9).catch(said);
+    const first = apart.worker;
+    await one;
+    const ended = [await one, await two, apart.worker];
+    const three = apart.ask("c", [1], 9);
+    const other = apart.worker !== first;
+    apart.worker.onmessage({ data: [2, "made"] });
+    const four = apart.ask("d", [], 9).catch(said);
+    apart.worker.onmessage({ data: [3, null, "why not"] });
+    const posted = [];
+    globalThis.postMessage = (message) => posted.push(message);
+    serve({ add: (a, b) => a + b });
+    globalThis.onmessage({ data: [7, "add", [1, 2]] });
+    globalThis.onmessage({ data: [8, "none", []] });
+    delete globalThis.onmessage;
+    const late = "it took more than 0.01 s, and was ended";
+    return [[ended, other, await three, await four, posted[0], posted[1].length], [[late, late, null], true, "made", "why not", [7, 3], 3]];
+  },
+  "a session is found again part by part": async () => {
+    const { Session } = await get("bench/session");
+    page.heard = {};
+    const bench = { editor: { keep: nothing }, exercises: { answers: {}, marks: {} }, programs: {} };
+    const got = {};
+    const part = (name, kept) => Object.defineProperty({}, "kept", { get: () => kept, set: (of) => { if (of === "bad") throw new Error("x"); got[name] = of; } });
+    const session = new Session(bench, { a: part("a", 1), b: part("b", "bad"), c: part("c", null), d: part("d", 0) });
+    page.hidden = true;
+    page.hear("visibilitychange");
+    page.hidden = false;
+    const found = session.open();
+    return [[found, got], [true, { a: 1, d: 0 }]];
+  },
+  "a list offers what it can take": async () => {
+    const { free, Shelf } = await get("bench/shelf");
+    const shelf = new Shelf({ "hello.pal": "HLT\n" });
+    const eia = (await import("./tapes/eia.mjs")).encode("1234567\n1234567\n1234567\n");
+    const list = (of) => Object.assign(new Element(), { dataset: { tapes: of }, options: ["first"], replaceChildren(...names) { this.names = names.length; } });
+    const lists = [list("any"), list("eia")];
+    page.querySelectorAll = () => lists;
+    shelf.put("a.asc", [0o301, 0o215, 0o212]);
+    shelf.put("b.eia", eia);
+    page.querySelectorAll = () => [];
+    const taken = (name, ...names) => free(name, (each) => names.includes(each));
+    const names = [taken("a.eia"), taken("a.eia", "a.eia"), taken("a.eia", "a.eia", "a 2.eia"), taken("a", "a"), taken("a.b.c", "a.b.c")];
+    return [[lists.map((each) => each.names), names], [[3, 2], ["a.eia", "a 2.eia", "a 3.eia", "a 2", "a.b 2.c"]]];
+  },
+  "the lever waits for START where the machine stands, and is thrown once": async () => {
+    const { bytes } = await import("./pdp8/web/translator/runtime.mjs");
+    const { Teletype } = await get("bench/teletype");
+    const bench = await desk({ shelf: { get: () => ({ frames: bytes([0o301, 0o302]), code: anything }) } });
+    const { reader } = bench.machine.teletype;
+    const made = Object.assign(new Teletype(bench), { leverWaits: false });
+    reader.lever(false);
+    made.mount("a");
+    const seen = [[reader.on, made.leverWaits, reader.tape.length]];
+    reader.lever(true);
+    made.mount("a");
+    seen.push([reader.on, made.leverWaits]);
+    made.started();
+    seen.push([reader.on, made.leverWaits]);
+    reader.lever(false);
+    made.started();
+    seen.push([reader.on, made.leverWaits]);
+    bench.machine.processor.run = 1;
+    reader.lever(true);
+    made.mount("b");
+    seen.push([reader.on, made.leverWaits]);
+    made.leverWaits = true;
+    made.lever();
+    seen.push([reader.on, made.leverWaits, made.name]);
+    return [seen, [[false, false, 2], [false, true], [true, false], [false, false], [true, false], [false, false, "b"]]];
+  },
+  "counts are of fetches, and of the turns of a loop that is passed over": async () => {
+    const { Counts } = await get("bench/counts");
+    const counts = new Counts();
+    for (const state of [0, 1, 2, 0]) counts.cycle({ state, ma: 0o200 });
+    counts.waited({ pc: 0o7777 }, 10);
+    return [[counts.executed[0o200], counts.executed[0o7777], counts.executed[0], counts.executed[1]], [2, 5, 5, 0]];
+  },
+  "an error is brought under the eye where it stands": async () => {
+    const { Editor } = await get("bench/editor");
+    const marked = [];
+    const area = Object.assign(new Element(), { value: "AB\nCDE\nF", scrollTop: 0, clientHeight: 240, setSelectionRange: (...range) => marked.push(range) });
+    const editor = Object.assign(new Editor(await desk({ programs: {}, shelf: {} })), { area, lines: area.value.split("\n") });
+    for (const [line, start, end] of [[1, 0, 2], [2, 1, 3], [3, 0, 1]]) editor.goTo({ dataset: { line, start, end } });
+    const tops = [1, 8, 9, 40].map((line) => (area.scrollTop = 0, editor.goTo({ dataset: { line, start: 0, end: 0 } }), area.scrollTop));
+    return [[marked.slice(0, 3), tops], [[[0, 2], [4, 6], [7, 8]], [-120, 0, 72, 816]]];
+  },
+  "a source is as long as it may be, and no longer": async () => {
+    const { Editor } = await get("bench/editor");
+    const programs = new (await get("bench/store")).Store("long");
+    const editor = new Editor(await desk({ programs, shelf: { names: () => [] }, apart: { ask: () => new Promise(nothing) } }));
+    const said = [200_000, 200_001].map((length) => {
+      try { editor.put("long.pal", "/".repeat(length)); return editor.text.length; } catch (error) { return error.message.slice(0, 11); }
+    });
+    editor.put("short.pal", "HLT");
+    return [said, [200_000, "a source of"]];
+  },
+  "a program that is renamed has its text under the new name alone": async () => {
+    const { Editor } = await get("bench/editor");
+    const programs = new (await get("bench/store")).Store("named");
+    const editor = new Editor(await desk({ programs, shelf: { names: () => ["eia.pal", "eia.bin"], get: () => ({ frames: [] }) }, apart: { ask: () => new Promise(nothing) } }));
+    editor.put("a.pal", "A");
+    editor.put("b.pal", "B");
+    editor.rename({ value: " c.pal " });
+    const seen = [programs.names(), editor.name, programs.get("c.pal")];
+    for (const value of ["", "  ", "c.pal"]) editor.rename({ value });
+    seen.push(programs.names(), editor.name);
+    editor.rename({ value: "a.pal" });
+    seen.push(programs.names(), editor.name, programs.get("a.pal"));
+    editor.remove();
+    seen.push(programs.names(), editor.name);
+    editor.undo();
+    seen.push(programs.names(), editor.text);
+    return [seen, [["a.pal", "c.pal"], "c.pal", "B", ["a.pal", "c.pal"], "c.pal", ["a 2.pal", "a.pal"], "a 2.pal", "A", ["a.pal"], "a.pal", ["a 2.pal", "a.pal"], "B"]];
+  },
+  "what another tab made of a program stays, and this one gets a name": async () => {
+    const { Editor } = await get("bench/editor");
+    const programs = new (await get("bench/store")).Store("tabs");
+    const editor = new Editor(await desk({ programs, shelf: { names: () => [] }, apart: { ask: () => new Promise(nothing) } }));
+    editor.put("a.pal", "A");
+    programs.keep("a.pal", "theirs");
+    editor.keep();
+    const untouched = [editor.name, programs.names()];
+    editor.area.value = "mine";
+    editor.keep();
+    editor.keep();
+    return [[untouched, programs.names(), editor.name, programs.get("a.pal"), programs.get("a 2.pal")], [["a.pal", ["a.pal"]], ["a 2.pal", "a.pal"], "a 2.pal", "theirs", "mine"]];
+  },
+};

@@ -1,0 +1,230 @@
+// The figures of "A curve in ten minutes" by themselves (again.mjs): what is kept, dragged, written and said.
+
+import { Element, find, get, nothing, page, soon } from "./again.mjs";
+
+const SVG = { x: 0, y: 0, width: 1000 };
+
+/** A figure's place on the page with inputs {name: [value, more]}; `at` is where a pointer is over it. */
+function inputs(id, given) {
+  const made = Object.entries(given).map(([name, [value, more = {}]]) => Object.assign(new Element(), { name, value: String(value), dataset: {}, ...more }));
+  find(id).querySelectorAll = () => made;
+  find(id).held = {};
+  const svg = find(id).querySelector("svg");
+  svg.parentElement.clientWidth = 1000;
+  svg.viewBox = { baseVal: { width: SVG.width } };
+  svg.getBoundingClientRect = () => ({ left: 0, top: 0, width: SVG.width });
+  page.activeElement = null;
+  return Object.fromEntries(made.map((each) => [each.name, each]));
+}
+
+/** The Workers begun, and what they are asked; each answers what it is told to. */
+function working() {
+  const begun = [];
+  globalThis.Worker = class {
+    constructor() { this.asked = []; begun.push(this); }
+    postMessage(message) { this.asked.push(message); }
+    terminate() {}
+    answer(made, why) { this.onmessage({ data: [this.asked.shift()[0], made, why].slice(0, why === undefined ? 2 : 3) }); }
+  };
+  page.querySelectorAll = () => [];
+  return begun;
+}
+
+let copies = 0;
+/** A copy of the module of what is made, with nothing kept. */
+const fresh = async () => import(`./pdp8/web/curve/made.mjs?${(copies += 1)}`);
+
+export const cases = {
+  "of what was made the newest is kept, and each is asked once": async () => {
+    const begun = working();
+    const { made, Wanted } = await fresh();
+    const get_ = (number) => {
+      try { return made("quarter", number, 1); } catch (wanted) { return wanted instanceof Wanted ? "wanted" : String(wanted.message); }
+    };
+    const seen = [];
+    for (let number = 0; number < 203; number++) {
+      const first = [get_(number), get_(number)];
+      begun[0].answer({ number });
+      await soon();
+      if (String(first) !== "wanted,wanted" || get_(number).number !== number) seen.push(number);
+    }
+    const [old, middle] = [get_(0), get_(100).number];
+    begun[0].answer(null, "no");
+    await soon();
+    return [[seen, old, middle, get_(0), begun.length], [[], "wanted", 100, "no", 1]];
+  },
+  "what is printed is made at once, and afterwards it waits again": async () => {
+    const begun = working();
+    const { made, withoutWaiting, Wanted } = await fresh();
+    const tried = (tolerance) => { try { return made("quarter", tolerance, 1).blocks > 0; } catch (wanted) { return wanted instanceof Wanted ? "wanted" : "broken"; } };
+    const seen = [tried(50)];
+    withoutWaiting(() => seen.push(tried(50), tried(30)));
+    try { withoutWaiting(() => { throw new Error("x"); }); } catch { /* it was thrown on */ }
+    seen.push(tried(50), tried(20), begun.length);
+    return [seen, ["wanted", true, true, true, "wanted", 1]];
+  },
+  "an answer is waited for, and why there is none is thrown": async () => {
+    const begun = working();
+    const { answered } = await fresh();
+    const [good, bad] = [answered("quarter", 1, 1), answered("quarter", 2, 1).catch(({ message }) => message)];
+    begun[0].answer("made");
+    begun[0].answer(null, "refused");
+    return [[await good, await bad], ["made", "refused"]];
+  },
+  "an input's steps grow, and its value is written in its unit": async () => {
+    const { Figure } = await get("curve/drawing");
+    const shown = [];
+    const at = (value, unit, more) => [value, { dataset: { unit, ...more } }];
+    const of = inputs("units", {
+      a: at(0, "times", { most: "250" }), b: at(50, "times", { most: "250" }), c: at(100, "count", { most: "250" }), d: at(50, "count", { most: "250" }),
+      e: at(5, "band"), f: at(30, "degrees"), g: at(125, "part"), h: at(20, "percent"), i: at(-20, "percent"), j: at(0, "percent"), k: at(8, "sixteenths"),
+      l: ["on", { type: "checkbox", checked: true, dataset: {} }], m: at(7),
+    });
+    const figure = new Figure("units", (values) => (shown.push(values), ["", 1, ""]), { m: (value, { k }) => `${value} and ${k}` });
+    const outputs = Object.values(of).map((input) => (input.parentElement.querySelector("output")));
+    figure.now();
+    const values = Object.values(shown[0]).map((value) => (typeof value === "number" ? Number(value.toFixed(2)) : value));
+    return [[values, outputs.map(({ textContent }) => textContent)], [
+      [1, 15.81, 250, 16, 5, 30, 125, 20, -20, 0, 8, true, 7], ["1.0 ×", "16 ×", "250", "16", "±.005 in", "30°", "13 %", "+20 %", "−20 %", "0 %", "0.5 in", "", "7 and 8"]]];
+  },
+  "a hold is dragged until the pointer is lifted, or lost": async () => {
+    const { Figure } = await get("curve/drawing");
+    const { size } = inputs("held", { size: [10] });
+    const figure = new Figure("held", () => ["", 1, "", { size: { x: 0, y: 0, to: ({ x, dx, dy, start }) => start + dx - dy + x * 0 } }]);
+    figure.now();
+    const { svg } = figure;
+    const target = (hold) => ({ closest: () => (hold ? { dataset: { hold } } : null) });
+    const move = (x, y = 0) => (svg.hear("pointermove", { clientX: x, clientY: y }), size.value);
+    const take = (hold, x) => svg.hear("pointerdown", { target: target(hold), clientX: x, clientY: 0, preventDefault: nothing });
+    const seen = [move(5)];
+    take("", 0);
+    seen.push(move(7));
+    take("size", 100);
+    seen.push(move(103), move(105, 1));
+    svg.hear("pointerup");
+    seen.push(move(150));
+    take("size", 50);
+    seen.push(move(51));
+    svg.hear("pointercancel");
+    seen.push(move(99));
+    return [seen, ["10", "10", "13", "14", "14", "15", "15"]];
+  },
+  "a figure far away is not drawn, one near is drawn once for all changes": async () => {
+    const { Figure } = await get("curve/drawing");
+    const { size } = inputs("far", { size: [1] });
+    let drawn = 0;
+    const watched = [];
+    globalThis.IntersectionObserver = class { constructor(act) { watched.push(act); } observe() {} };
+    const figure = new Figure("far", () => ((drawn += 1), ["", 1, ""]));
+    size.value = "2";
+    figure.later();
+    await soon(5);
+    const seen = [drawn];
+    watched[0]([{ isIntersecting: true }]);
+    figure.set("size", 3);
+    figure.set("size", 4);
+    await soon(5);
+    seen.push(drawn);
+    watched[0]([{ isIntersecting: false }]);
+    figure.set("size", 5);
+    await soon(5);
+    seen.push(drawn);
+    globalThis.IntersectionObserver = Element;
+    return [seen, [0, 1, 1]];
+  },
+  "lengths and minutes are written as in 1971": async () => {
+    const { grownBack, inch, mils, minutes, onCircle } = await get("curve/drawing");
+    const { CENTRE, RADIUS } = await get("method");
+    const { x, y } = onCircle(90);
+    return [
+      [[5, 10.6, 1000, 0, 999.96].map((of) => mils(of, 4)), mils(5), inch(1250), [9.994, 10, 9.9].map(minutes), [1, 250].map((many) => Math.round(grownBack(many, 250))), [Math.round(x - CENTRE), Math.round(y - CENTRE) === RADIUS]],
+      [[".0050", ".0106", "1.0000", ".0000", "1.0000"], ".005", "1.250 in", ["9.99 min", "10.0 min", "9.90 min"], [0, 100], [0, true]]];
+  },
+  "the circle near by says what is seen": async () => {
+    const { near } = await get("curve/near");
+    const { withoutWaiting } = await get("curve/made");
+    inputs("near", { near: [0] });
+    const figure = near();
+    const said = [5.9, 6, 19.9, 20, 25, 25.1].map((times) => {
+      let drawn;
+      withoutWaiting(() => (drawn = figure.draw({ near: times }, 700)));
+      return [drawn[2].slice(0, 9), drawn[0].includes('class="stop"')];
+    });
+    return [said, [["A circle ", false], ["Something", false], ["Something", false], ["Every cor", false], ["Every cor", false], ["Every cor", true]]];
+  },
+  "the whole circle begins with its first block, reads, cuts, and is done": async () => {
+    const { whole } = await get("curve/whole");
+    const { withoutWaiting } = await get("curve/made");
+    inputs("whole", { time: [0] });
+    const figure = whole(new Element());
+    const seen = [0, 1, 500, 1000].map((time) => {
+      let drawn;
+      withoutWaiting(() => (drawn = figure.draw({ time }, 700)));
+      const [content, , said, { time: hold }] = drawn;
+      const back = Math.abs(hold.to(hold) - time);
+      return [/<b>(\d+)<\/b> of (\d+)/.exec(said.source).slice(1).map(Number), /done|stands still|cuts along/.exec(content)[0], time === 0 || time === 1000 || back < 4];
+    });
+    const [[[first, all], reads, ...more], , [[middle]], [[last, end], done]] = seen;
+    return [[first < 10, reads, more, middle > first && middle < all, last === end, done], [true, "stands still", [true], true, true, "done"]];
+  },
+  "Cut plays on from where it stands, Stop stops, a hand on the slider too": async () => {
+    const { whole } = await get("curve/whole");
+    const { time } = inputs("whole", { time: [0] });
+    const button = new Element();
+    const asked = [];
+    globalThis.requestAnimationFrame = (act) => (asked.push(act), asked.length);
+    whole(button);
+    time.value = "400";
+    button.hear("click");
+    const seen = [button.textContent, time.value];
+    button.hear("click");
+    seen.push(button.textContent);
+    button.hear("click");
+    time.hear("pointerdown");
+    seen.push(button.textContent, time.value);
+    return [seen, ["Stop", "400", "Cut", "Cut", "400"]];
+  },
+  "a band made straight names its sides where there is space between them": async () => {
+    const { straightened } = await get("curve/drawing");
+    const box = { x: 0, y: 0, width: 100, height: 100 };
+    const labels = [13, 14, 15].map((half) => straightened(box, 100, half, 100, []).match(/[+−±]\.\d+/g).map((label) => label[0]).join(""));
+    return [labels, ["±", "±", "+−"]];
+  },
+  "an own curve is translated as it is last, and saved only then": async () => {
+    const begun = working();
+    const { setTimeout: real } = globalThis;
+    globalThis.setTimeout = (act, after = 0) => real(act, after / 40);
+    const { own } = await get("curve/own");
+    const { tolerance } = inputs("own", { tolerance: [20], place: [500] });
+    const [save, open] = [Object.assign(new Element(), { disabled: true }), Object.assign(new Element(), { removeAttribute() { delete this.href; } })];
+    find("own").querySelector("svg").addEventListener = nothing;
+    const figure = own({ words: [], workbench: "bench.html" }, save, open);
+    const state = () => [save.disabled, Boolean(open.href)];
+    const until = async (holds) => { while (!holds()) await soon(100); };
+    const asked = () => begun.at(-1)?.asked.length;
+    figure.now();
+    await until(asked);
+    const machines = begun.at(-1);
+    const seen = [state(), asked()];
+    machines.answer({ frames: Uint8Array.of(1, 2), minutes: 3, same: true });
+    await until(() => !save.disabled);
+    seen.push(state());
+    tolerance.value = "40";
+    figure.now();
+    seen.push(state());
+    await until(asked);
+    tolerance.value = "60";
+    figure.now(); // the answer that comes is the one of before
+    machines.answer({ frames: Uint8Array.of(1), minutes: 2, same: true });
+    await until(asked);
+    await soon(800);
+    seen.push(state());
+    machines.answer({ frames: Uint8Array.of(1), minutes: 1, same: false });
+    await until(() => !save.disabled);
+    seen.push(state());
+    figure.now();
+    const said = figure.draw({ tolerance: 60, place: 500 }, 700)[2].source;
+    globalThis.setTimeout = real;
+    return [[seen, said.includes("goes another way")], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true]];
+  },
+};

@@ -1,0 +1,308 @@
+/* global history, URL */
+// The room by itself (again.mjs): its pictures, sounds, keys and what the visitor types.
+
+import { anything, Element, find, get, machine, nothing, page, room, worked } from "./again.mjs";
+
+const known = new Map();
+const plain = (of) => (of === null || typeof of !== "object" ? of : `picture ${known.set(of, known.get(of) ?? known.size).get(of)}`);
+
+/** What is done to a canvas, as [name, ...numbers, texts and pictures]; an inch has `sharp` pixels. */
+const strokes = (draw, sharp = 1) => {
+  const done = [];
+  const context = new Proxy({}, {
+    get: (_, name) => (name === "getTransform" ? () => ({ a: sharp }) : (...given) => (done.push([String(name), ...given.map(plain)]), anything)),
+    set: (_, name, value) => (done.push([String(name), String(value)]), true),
+  });
+  draw(context);
+  return done;
+};
+
+/** A room that is drawn: `pass(seconds)` lets a picture come, `seen` has what the last one drew of each thing. */
+async function drawn() {
+  const frames = [];
+  globalThis.requestAnimationFrame = (act) => frames.push(act);
+  Object.assign(find("room"), { clientWidth: 1000, clientHeight: 800, hidden: false });
+  Object.assign(page, { hidden: false, heard: {} });
+  const made = await room();
+  const { bench, bench: { afternoon, afternoon: { script } } } = made;
+  const day = Object.assign(script.day, { path: { knots: [], at: nothing, first: {} }, mill_starts: 0, tapes: new Map(), part: "circle" });
+  Object.assign(script, { machine: bench.led, done: 0, mounted: "", to(tick) { this.now = tick; } });
+  afternoon.lead = function lead(tick) {
+    this.on = true;
+    bench.machine = bench.led;
+    script.to(tick);
+    script.act = day.acts.find(({ ends }) => tick < ends) ?? day.acts.at(-1);
+  };
+  Object.assign(bench, { writer: { text: (element, text) => (element.textContent = text), label: nothing }, sound: { on: false, hum: nothing, strike: (kind) => made.struck.push(kind), turn(on) { this.on = on; } } });
+  Object.assign(made, { frames, struck: [], seen: {} });
+  made.scene.draw = (camera, where, live, lit) => {
+    made.seen = { panel: strokes(live.panel), teletype: strokes(live.teletype), lit: ["panel", "teletype", "mill"].filter(lit) };
+    return false;
+  };
+  made.pass = (seconds) => frames.splice(0).forEach((act) => act(made.before + 1000 * seconds));
+  made.texts = () => find("room").querySelector(".when").children.map(({ textContent }) => textContent);
+  find("room").querySelector(".when").children = [new Element(), new Element()];
+  const chapters = Array.from({ length: 7 }, () => Object.assign(new Element(), { toggleAttribute(name, on) { this[name] = on; } }));
+  find("room").querySelectorAll = (selector) => (selector === ".chapters button" ? chapters : [new Element()]);
+  return made;
+}
+
+/** The visitor is at the switches. */
+async function taken() {
+  const made = await drawn();
+  made.enter();
+  made.hands = LATER;
+  made.take();
+  return made;
+}
+const LATER = null;
+
+export const cases = {
+  "at the pace of 1971 it stays there": async () => {
+    const made = await drawn();
+    made.enter();
+    made.go({ value: 1 });
+    const paces = Array.from({ length: 80 }, () => (made.pass(0.04), made.speed)).filter((pace) => pace);
+    return [[paces.length > 30, Math.round(Math.max(...paces)), Math.round(Math.min(...paces))], [true, 1, 1]];
+  },
+  "a tab that nobody sees asks for no picture until it is seen": async () => {
+    const made = await drawn();
+    page.hidden = true;
+    made.enter();
+    const asked = made.frames.length;
+    page.hidden = false;
+    page.hear("visibilitychange");
+    page.hear("visibilitychange");
+    return [[asked, made.frames.length], [0, 1]];
+  },
+  "the operator's key is pressed in the story, not at the visitor's switches": async () => {
+    const made = await drawn();
+    made.enter();
+    const panel = (key) => {
+      made.bench.afternoon.pressed = key;
+      made.show();
+      made.pass(0.04);
+      return JSON.stringify(made.seen.panel);
+    };
+    const differs = () => (panel("start"), panel("start") !== panel(null));
+    const story = differs();
+    made.take();
+    return [[story, differs(), made.seen.lit], [true, false, ["panel", "teletype"]]];
+  },
+  "the story ends in its last act and stands, each act is told": async () => {
+    const made = await drawn();
+    made.enter();
+    const told = [];
+    for (let pictures = 0; made.playing && pictures < 3000; pictures++) {
+      made.pass(0.09);
+      const marked = made.chapters.map((button) => button["aria-current"]).indexOf(true);
+      const now = [made.tour.turn, marked, find("room").querySelector(".story").textContent];
+      if (String(now) !== String(told.at(-1))) told.push(now);
+    }
+    made.pass(0.09);
+    return [[told, made.playing, made.texts()[1], find("pause").textContent], [Array.from({ length: 8 }, (_, turn) => [turn, turn - 1, `act ${turn}`]), false, "stands still", "Play"]];
+  },
+  "how fast it goes is said": async () => {
+    const made = await drawn();
+    made.enter();
+    made.playing = true;
+    const said = [1, 1.5, 1.6, 9.6, 30, 44, 46, 1236].map((speed) => {
+      made.said = 1;
+      made.tour.wall = 0;
+      made.since = -1; // no step, which would measure it
+      made.speed = speed;
+      made.pass(0.01);
+      return made.texts()[1].replace(" times as fast", "");
+    });
+    const own = "at the pace of 1971";
+    return [said, [own, own, "2", "10", "30", "40", "50", "1\u2009240"]];
+  },
+  "what is lit is what the act is about": async () => {
+    const made = await drawn();
+    made.enter();
+    const lit = [0, 1, 2, 3, 6].map((value) => (made.go({ value }), made.pass(0.01), made.seen.lit.join(" ")));
+    return [lit, ["panel teletype mill", "teletype", "panel", "panel teletype", "mill"]];
+  },
+  "buttons of the story and of the switches change places": async () => {
+    const made = await drawn();
+    const state = () => [find("room").querySelector(".yours").hidden, find("speak").hidden, find("write").hidden, find("pause").hidden, find("pause").textContent, find("take").textContent];
+    made.enter();
+    const seen = [state()];
+    made.toggle();
+    seen.push(state());
+    made.take();
+    seen.push(state().filter((_, at) => at !== 4));
+    made.take();
+    seen.push(state());
+    return [seen, [
+      [true, true, false, false, "Pause", "Take the switches"], [true, true, false, false, "Play", "Take the switches"],
+      [false, false, true, true, "Back to the story"], [true, true, false, false, "Play", "Go on at the switches"]]];
+  },
+  "a pause gives the address of its instant, a play none": async () => {
+    const made = await drawn();
+    const given = [];
+    history.replaceState = (_, __, address) => given.push(address);
+    made.enter(30 * 2e7);
+    given.length = 0;
+    made.toggle();
+    made.toggle();
+    history.replaceState = nothing;
+    return [[given.length, given[0], /^#t=\d/.test(given[1])], [2, "", true]];
+  },
+  "the switches are given with the reader at rest and the punch on": async () => {
+    const made = await drawn();
+    made.enter();
+    const own = (made.own = await machine());
+    own.teletype.reader.load([1, 2, 3]);
+    own.teletype.reader.lever(true);
+    own.teletype.punch.on = false;
+    made.take();
+    return [[own.teletype.reader.on, own.teletype.punch.on, made.live, made.guide.seen !== null], [false, true, true, true]];
+  },
+  "a machine with nothing in its core is not kept": async () => {
+    const made = await drawn();
+    const kept = [await machine(), await worked(1)].map((each) => (made.keep(each), made.own === each));
+    return [kept, [false, true]];
+  },
+  "each letter is pressed once": async () => {
+    const made = await taken();
+    const pressed = [];
+    made.bench.touch = (work) => work({ teletype: { keyboard: { press: (codes) => pressed.push(String.fromCharCode(...[...codes].map((code) => code & 0o177))) } } });
+    for (const value of ["a", "ab", "abcd", "abc", "abcx"]) made.type({ value });
+    return [pressed, ["A", "B", "CD", "X"]];
+  },
+  "one picture of the tape is kept at a time": async () => {
+    const made = await taken();
+    const given = [];
+    Object.assign(made.guide, { seen: { frames: [0o301], made: "A B!" } });
+    globalThis.OffscreenCanvas.prototype.convertToBlob = async () => ({});
+    let count = 0;
+    const { createObjectURL, revokeObjectURL } = URL;
+    Object.assign(URL, { createObjectURL: () => `blob:${(count += 1)}`, revokeObjectURL: (url) => given.push(url) });
+    await made.see();
+    await made.see();
+    made.guide.seen.made = "";
+    await made.see();
+    Object.assign(URL, { createObjectURL, revokeObjectURL });
+    const link = find("tape").querySelector("a");
+    return [[given, link.href, link.download], [["blob:1"], "blob:2", "A-B-.png"]];
+  },
+  "[ and ] go from act to act as far as there are, and only in the room": async () => {
+    const made = await drawn();
+    made.enter();
+    const place = find("room"), told = place.querySelector(".told");
+    const { querySelector } = place;
+    told.querySelector = () => null; // no control has these keys
+    place.querySelector = (selector) => (selector === "dialog[open]" ? null : querySelector.call(place, selector));
+    const press = (key, more = {}) => {
+      let done = false;
+      page.hear("keydown", { key, preventDefault: () => (done = true), target: { matches: () => false }, ...more });
+      return [made.tour.turn, done];
+    };
+    const seen = [press("["), press("]"), press("]", { ctrlKey: true }), press("]", { target: { matches: (of) => of === "input" } }), press("x")];
+    for (let turn = 0; turn < 8; turn++) press("]");
+    seen.push(press("]"), press("["));
+    place.hidden = true;
+    seen.push(press("["));
+    delete place.querySelector;
+    delete told.querySelector;
+    return [seen, [[0, true], [1, true], [1, false], [1, false], [1, false], [7, true], [6, true], [6, false]]];
+  },
+  "the sound's button says how it stands": async () => {
+    const made = await drawn();
+    const button = new Element();
+    const seen = [1, 2].map(() => (made.hear(button), [button.ariaPressed, button.textContent]));
+    return [seen, [["true", "Sound on"], ["false", "Sound off"]]];
+  },
+  "strikes of a kind come apart, those of others beside them": async () => {
+    const { Sound } = await get("room/sound");
+    const sound = Object.assign(new Sound(), { on: true, context: { currentTime: 1 }, noise: {} });
+    const started = [];
+    const node = (of) => class { constructor() { this.gain = anything; } connect() { return this; } start(when) { started.push([of, when.toFixed(2)]); } stop() {} };
+    Object.assign(globalThis, { AudioBufferSourceNode: node("burst"), GainNode: node(""), BiquadFilterNode: node(""), OscillatorNode: node("tone") });
+    for (const [kind, at] of [["key", 1], ["key", 1.06], ["read", 1.06], ["key", 1.08], ["bell", 1.08], ["print", 1.08]]) {
+      sound.context.currentTime = at;
+      sound.strike(kind);
+    }
+    sound.strike("key", 0.5);
+    sound.on = false;
+    sound.strike("key", 1);
+    const wanted = [["burst", 1.05], ["burst", 1.11], ["burst", 1.13], ["tone", 1.13], ["tone", 1.13], ["burst", 1.13], ["burst", 1.13], ["burst", 1.63]];
+    return [started, wanted.map(([of, when]) => [of, when.toFixed(2)])];
+  },
+  "a wide window has the whole panel, a telephone its parts": async () => {
+    const { APART, formed, least, WHOLE } = await get("room/panel");
+    const forms = [[1600, 900], [1250, 600], [390, 600], [340, 380]].map(([w, h]) => formed({ w, h }));
+    const name = (form) => (form === WHOLE ? "whole" : form === APART ? "apart" : "little");
+    return [[forms.map(name), Math.round(least(WHOLE, 390)), Math.round(least(APART, 3900))], [["whole", "whole", "apart", "little"], 193, 489]];
+  },
+  "a switch lies where its piece of the panel lies": async () => {
+    const { APART, SWITCHES, WHOLE, within } = await get("room/panel");
+    const out = [WHOLE, APART].map((form) => SWITCHES.filter((place) => {
+      const { x, y, w, h } = within(form, place);
+      return x < 0 || y < 0 || x + w > form.w + 0.01 || y + h > form.h + 0.01;
+    }).length);
+    const places = SWITCHES.map((place) => { const { x, y } = within(APART, place); return `${x.toFixed(1)} ${y.toFixed(1)}`; });
+    return [[out, new Set(places).size], [[0, 0], 20]];
+  },
+  "paper is drawn anew where it is seen larger": async () => {
+    const { Page } = await get("room/teletype");
+    const paper = new Page();
+    for (const frame of [0o301, 0o215, 0o212]) paper.take(frame);
+    const wide = [4, 4, 16, 4].map((sharp) => (strokes((c) => paper.draw(c, 0, 0), sharp), paper.sharp));
+    return [wide, [4, 4, 16, 4]];
+  },
+  "filaments follow and rest": async () => {
+    const { Filaments } = await get("room/panel");
+    const lamps = (await machine()).panel.lamps;
+    const off = new Filaments();
+    off.follow([lamps]);
+    const rests = off.moves;
+    const other = await machine();
+    other.processor.lac = 0o7777;
+    off.follow([other.panel.lamps], 0.5);
+    const half = [off.moves, off.lit.get("ac")[0]];
+    for (let times = 0; times < 9; times++) off.follow([other.panel.lamps], 0.5);
+    return [[rests, half, off.moves, off.lit.get("ac")[0] > 0.99], [false, [true, 0.5], false, true]];
+  },
+  "an act passes as fast as is said, ever forward, to its last tick": async () => {
+    const { tour } = await drawn().then((made) => (made.enter(), made));
+    const wrong = [];
+    for (let turn = 1; turn < 8; turn++) {
+      const act = tour.day.acts[turn - 1];
+      tour.go(turn);
+      let before = tour.tick;
+      if (before < act.starts) wrong.push([turn, "early"]);
+      while (tour.part < 1) {
+        tour.pass(0.05);
+        if (tour.turn !== turn || tour.tick < before || tour.tick >= act.ends) wrong.push([turn, tour.part]);
+        before = tour.tick;
+      }
+      if (before !== act.ends - 1) wrong.push([turn, before]);
+      if (!tour.pass(0.3) || tour.turn !== turn) wrong.push([turn, "no pause"]);
+      if (tour.pass(0.2) !== (turn < 7) || (turn < 7 && (tour.turn !== turn + 1 || tour.wall))) wrong.push([turn, "goes on"]);
+    }
+    return [wrong, []];
+  },
+  "the camera rises in the act of cutting, and stays": async () => {
+    const { tour } = await drawn().then((made) => (made.enter(), made));
+    const above = [[5, 1], [6, 0.3], [6, 0.37], [6, 0.44], [6, 1], [7, 0], [7, 1]].map(([turn, part]) => (tour.go(turn, part), Number(tour.above.toFixed(2))));
+    return [above, [0, 0, 0.5, 1, 1, 1, 1]];
+  },
+  "the camera comes to rest where it looks, and at once where nothing shall move": async () => {
+    const { Camera } = await get("room/camera");
+    const [box, frame] = [{ x: 10, y: 20, w: 20, h: 5 }, { left: 100, top: 50, w: 800, h: 400 }];
+    const camera = new Camera();
+    camera.look({ x: 0, y: 0, w: 20, h: 20 }, frame, false);
+    const first = camera.scale;
+    camera.look(box, frame, false);
+    camera.glide(0.1);
+    const glides = [camera.moves, camera.scale === first];
+    for (let times = 0; times < 60; times++) camera.glide(0.1);
+    const at = ({ scale, origin: { x, y } }) => [scale, x, y].map((each) => Math.round(each));
+    const other = new Camera();
+    other.look({ x: 0, y: 0, w: 10, h: 10 }, frame, false);
+    other.look(box, frame, true);
+    return [[Math.round(first), glides, camera.moves, at(camera), at(other)], [20, [true, false], false, [40, -300, -650], [40, -300, -650]]];
+  },
+};
