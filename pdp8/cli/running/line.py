@@ -46,7 +46,7 @@ class Line:
                     machine.stop()
                 self.reader_run(bool(machine.teletype.receiver.reader_run))
                 frames = self.received(seconds)
-                return sent(frames.decode("latin-1")) if self._bits == 7 else frames
+                return sent(self.characters(frames)) if self._bits == 7 else frames
 
             stop = pacing.live(machine, max_time, pass_on, take, not self._full_speed)
         return None if interrupt.pressed else stop
@@ -54,6 +54,10 @@ class Line:
     def received(self, seconds: float) -> bytes:
         """Return what comes over the line, waiting at most `seconds` for it."""
         raise NotImplementedError
+
+    def characters(self, frames: bytes) -> str:
+        """Return the characters of 7 bits that came: the eighth may be a terminal's parity."""
+        return bytes(frame & 0o177 for frame in frames).decode("ascii")
 
     def send(self, frame: int) -> None:
         """Send one frame."""
@@ -89,6 +93,10 @@ class Tcp(Line):
         for each in (self._client, self._server):
             if each is not None:
                 each.close()
+
+    def characters(self, frames: bytes) -> str:
+        """Return the characters of 7 bits; UTF-8's have eight, and no Model 33 has their keys."""
+        return frames.decode("latin-1")
 
     def received(self, seconds: float) -> bytes:
         """Return what the client sends, without the options of telnet."""

@@ -11,6 +11,7 @@ import sys
 import termios
 import time
 import tty
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -29,12 +30,12 @@ def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
     assert terminal.ended() == 1
 
 
-def on_line() -> tuple["subprocess.Popen[bytes]", int, int, list[Any]]:
+def on_line(*options: str) -> tuple["subprocess.Popen[bytes]", int, int, list[Any]]:
     """Run echo.pal with its Teletype on a line; return the run, both ends of the line, its modes before."""
     end, line = pty.openpty()
     tty.setraw(line)
     before = termios.tcgetattr(line)
-    run = commands.start("pdp8", "run", "echo.pal", "--line", os.ttyname(line))
+    run = commands.start("pdp8", "run", "echo.pal", "--line", os.ttyname(line), *options)
     assert commands.eventually(lambda: termios.tcgetattr(line)[:6] != before[:6])
     return run, end, line, before
 
@@ -70,6 +71,18 @@ def test_the_teletype_is_a_line() -> None:
     status, said = commands.signalled(run, signal.SIGINT)
     assert (status, b"interrupted at" in said) == (130, True)
     assert termios.tcgetattr(line)[:4] == before[:4]
+
+
+@pytest.mark.parametrize(
+    "parity", [lambda code: 0x80, lambda code: code.bit_count() % 2 << 7], ids=["mark", "even"]
+)
+def test_a_terminal_that_sends_parity(parity: Callable[[int], int]) -> None:
+    """To 7 bits its eighth is nothing; echo.pal has the same frames whatever it is."""
+    run, end, _, _ = on_line("--line-bits", "7", "--line-speed", "full")
+    typed = b"ACES 1971"
+    os.write(end, bytes(code | PARITY[parity](code) << 7 for code in typed))
+    assert read(end, len(typed)) == typed
+    assert commands.signalled(run, signal.SIGINT)[0] == 130
 
 
 def test_a_pipe_that_stays_open_is_read_as_it_comes() -> None:
