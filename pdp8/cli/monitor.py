@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from pdp8.reels import Reels
 
 
+_BACK = "cont goes back into the program"
+
+
 @click.command(cls=Command)
 @click.argument("script", type=Source(), required=False)
 @click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
@@ -75,17 +78,25 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
     from pdp8.cli.running.keyboard import Terminal
 
     at = terminal or Terminal()
+    hint = False
 
     def live(seconds: float) -> Stop:
-        return at.run(made.machine, seconds, made.realtime, lambda: next_tape(made))[0]
+        nonlocal hint
+        stop, left = at.run(made.machine, seconds, made.realtime, lambda: next_tape(made))
+        hint = hint or left
+        return stop
 
     if sys.stdout.isatty():
         made.live, made.say = live, at.say
+    told = terminal is not None
     for line in _typed():
         before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
         try:
             with at.printing(made.machine):
                 do(made, line)
+            if hint and not told:
+                told = True
+                made.say(_BACK)
         except WorkError as error:
             at.end_line()
             command.tell(str(error))
@@ -120,6 +131,7 @@ def sit_down(
     if mounted is not None:
         made.reels = mounted
     made.say_stop(stop)
+    made.say(f"{_BACK}; help tells what there is; quit leaves")
     converse(made, terminal)
     return None
 

@@ -167,3 +167,4 @@ def restore(monitor: Monitor, name: str) -> None:
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
         monitor.turn_to(text)
+    monitor.say_where("restored")
