@@ -57,13 +57,13 @@ pdp8 run hello.pal --trace . -> : .: Is a directory
 pdp8 run hello.pal --punch a.bin --trace /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --save /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --fast-punch /nowhere/x -> : /nowhere/x: No such file or directory
-pdp8 run hello.pal --punch line --no-clobber -> : line is there already
+pdp8 run hello.pal --punch line --no-clobber -> : line exists
 pdp8 run hello.pal --punch locked -> : locked: Permission denied
-pdp8 pal eia.pal -o line --no-clobber -> : line is there already
+pdp8 pal eia.pal -o line --no-clobber -> : line exists
 pdp8 pal eia.pal -o locked -> : locked: Permission denied
-pdp8 tape clean circle.eia -o line --no-clobber -> : line is there already
+pdp8 tape clean circle.eia -o line --no-clobber -> : line exists
 pdp8 tape clean circle.eia -o locked -> : locked: Permission denied
-pdp8 cards rim --no-clobber -> : ./rim.svg is there already
+pdp8 cards rim --no-clobber -> : ./rim.svg exists
 pdp8 run /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 tape info /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 pal -o x /dev/zero -> : /dev/zero: longer than 2,097,152
