@@ -1,6 +1,6 @@
 """The path as a DXF drawing in the plane: milling as polylines, positioning as lines, holes as circles.
 
-    layer MILL       a polyline for each run of cuts, closed where it ends at its start
+    layer MILL       a polyline for each run of cuts, closed where it ends within .001 in of its start
     layer POSITION   from the end of a run to the start of the next, dashed
     layer HOLES      where the quill went down, as wide as the cutter
     layer CURVE      the nominal curve, or the edge of the part if that is known
@@ -14,13 +14,14 @@ Needs ezdxf, the extra `nc`.
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import StringIO
+from math import dist
 from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nc.curves import Curve
-from nc.path import Move, MoveKind, Path
+from nc.path import STEP, Move, MoveKind, Path
 from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 
@@ -127,8 +128,8 @@ class _Drawing:
             yield run
 
     def _outline(self, places: list[tuple[float, float]], z: float) -> None:
-        closed = len(places) > 2 and places[0] == places[-1]
-        line = [self._at(x, y, z) for x, y in places[: -1 if closed else None]]
+        closed = len(places) > 2 and dist(places[0], places[-1]) <= STEP
+        line = [self._at(x, y, z) for x, y in places[: -1 if places[0] == places[-1] else None]]
         attributes = {"layer": "MILL", "elevation": line[0][2]}
         self._space.add_lwpolyline([at[:2] for at in line], close=closed, dxfattribs=attributes)
         self._places += line

@@ -242,20 +242,11 @@ def walls(
 
     An error is infinite where the normal goes along a cut and meets no wall.
     """
-    corners = _corners(cuts)
-    sides = np.unique(cuts[(cuts[:, :2] != cuts[:, 2:]).any(axis=1)], axis=0)
-    low, high = np.minimum(sides[:, :2], sides[:, 2:]), np.maximum(sides[:, :2], sides[:, 2:])
+    low, high = np.minimum(cuts[:, :2], cuts[:, 2:]), np.maximum(cuts[:, :2], cuts[:, 2:])
     ends = np.full((2, len(stations)), np.nan)
     reach = 2 * radius if part_wall else radius  # beyond a tip, as far as a normal may go on
     for number, here in enumerate(_groups(stations)):
-        through = [
-            crossed(here, parts[near], radius)
-            for crossed, parts, *box in (
-                (_through_discs, corners, corners, corners),
-                (_through_sides, sides, low, high),
-            )
-            for near in _about(here.points, reach, *box)
-        ]
+        through = [_through(here, cuts[near], radius) for near in _about(here.points, reach, low, high)]
         if through:
             enter, leave = (np.concatenate(each, axis=1) for each in zip(*through, strict=True))
             ends[:, number * _GROUP : (number + 1) * _GROUP] = _cut_through(enter, leave, radius, part_wall)
@@ -382,6 +373,13 @@ def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.in
     return kept
 
 
+def _through(stations: Stations, cuts: Floats, radius: float) -> tuple[Floats, Floats]:
+    """Return where each normal enters and leaves what a cut removes, (stations, cuts); nan if it misses."""
+    ends = [_through_discs(stations, corners, radius) for corners in (cuts[:, :2], cuts[:, 2:])]
+    enter, leave = zip(_through_sides(stations, cuts, radius), *ends, strict=True)
+    return np.fmin.reduce(enter), np.fmax.reduce(leave)
+
+
 def _through_discs(stations: Stations, centres: Floats, radius: float) -> tuple[Floats, Floats]:
     """Return where each station's normal enters and leaves each disc, (stations, discs); nan if it misses."""
     x = centres[:, 0] - stations.points[:, :1]
@@ -397,7 +395,8 @@ def _through_sides(stations: Stations, sides: Floats, radius: float) -> tuple[Fl
     """Return where each normal enters and leaves the rectangle swept along each side; nan if it misses."""
     way = sides[:, 2:] - sides[:, :2]
     length = np.hypot(way[:, 0], way[:, 1])
-    along, across = way / length[:, None], np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
+    along = way / np.where(length, length, np.inf)[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
     middle = (sides[:, :2] + sides[:, 2:]) / 2
     x = stations.points[:, :1] - middle[:, 0]
     y = stations.points[:, 1:] - middle[:, 1]
@@ -411,7 +410,7 @@ def _through_sides(stations: Stations, sides: Floats, radius: float) -> tuple[Fl
         inside = np.abs(place) <= half
         enter = np.maximum(enter, np.where(still, np.where(inside, -np.inf, np.inf), np.minimum(one, other)))
         leave = np.minimum(leave, np.where(still, np.where(inside, np.inf, -np.inf), np.maximum(one, other)))
-    missed = enter > leave
+    missed = (enter > leave) | (length == 0)  # a plunge has no sides
     return np.where(missed, np.nan, enter), np.where(missed, np.nan, leave)
 
 

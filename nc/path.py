@@ -14,13 +14,17 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from math import sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from tapes.hydrapoint import HOLE_MAKING, ROWS, Block, Preparatory
 
 if TYPE_CHECKING:
     from numpy import float64
     from numpy.typing import NDArray
+
+
+STEP: Final = 1
+"""The least move. A contour is closed within it: the listing's circle, closed, ends so far from its start."""
 
 
 class Position(NamedTuple):

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from nc.curves import Ellipse
 from nc.inspection import Inspection, Reading
 from nc.listing import place
-from nc.path import Path, Position
+from nc.path import STEP, Path, Position
 from nc.unit import INCH, Unit
 from tapes.hydrapoint import POSITIONING_SPEED
 
@@ -100,7 +100,7 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
         f"from {_side(inspection, 0, unit)} to {_side(inspection, 1, unit)} of nominal"
     )
     yield f"stations  {len(inspection.walls.stations)}"
-    if inspection.curve.closed and inspection.gap:
+    if inspection.curve.closed and inspection.gap > STEP:
         gap = f"{unit.error(inspection.gap)} {unit.name}"
         yield f"open      the milling ends {gap} from its start: the contour is not closed"
     if inspection.uncut:

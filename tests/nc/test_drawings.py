@@ -93,11 +93,11 @@ DRAWINGS: dict[str, tuple[str, Callable[[], str]]] = {
     "half size": ("3eee29a6", lambda: plot(parked(13000, 9000))),
     "talyrond, circle": ("a277a7e0", lambda: talyrond(inspect(circle()))),
     "talyrond, ellipse": ("ea043e42", lambda: talyrond(inspect(ellipse()))),
-    "talyrond, half": ("1885cd59", lambda: talyrond(inspect(half(), THE_CIRCLE))),
+    "talyrond, half": ("db41bbfa", lambda: talyrond(inspect(half(), THE_CIRCLE))),
     "talysurf, circle": ("cc3f5b0d", lambda: talysurf(inspect(circle()))),
     "talysurf, slope": ("c9baca42", lambda: talysurf(inspect(slope(), SLOPE))),
     "talysurf, shaded": ("0689f829", lambda: talysurf(inspect(circle()), (7500, 8900), background=1.2)),
-    "talysurf, rough": ("0743e84e", lambda: talysurf(inspect(parabola(), PARABOLA, 250), (520, 790), 1.2)),
+    "talysurf, rough": ("b4024760", lambda: talysurf(inspect(parabola(), PARABOLA, 250), (520, 790), 1.2)),
 }
 """Each drawing, with the digest of what was looked at by eye; Figures 7.2 to 7.8 are lost in the scan."""
 

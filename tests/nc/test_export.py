@@ -20,8 +20,10 @@ import nc
 from nc.curves import Ellipse
 from nc.dxf import dxf
 from nc.gcode_1971 import gcode_1971
+from nc.inspection import inspect
 from nc.machine import Settings
 from nc.path import MoveKind
+from nc.report import inspection_report
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
 from tests.nc.test_second_machine import ALL_SET, program
@@ -200,6 +202,16 @@ def test_the_circle_as_dxf() -> None:
     assert len(drawing.query("LINE")) == 0  # 1971's parking
     low, high = drawing.header["$EXTMIN"], drawing.header["$EXTMAX"]
     assert [*low[:2], *high[:2]] == pytest.approx([2.25, 2.245, 5.75, 5.755])
+
+
+def test_the_circle_that_the_listing_closes_is_a_closed_polyline() -> None:
+    """Its last block ends .001 in, the machine's least move, from where it began."""
+    path = nc.cut(CIRCLE + tape("667 6 02251 04000 0 01 85")[1:])
+    milled, _ = read_back(dxf(path, Ellipse(4000, 4000, 1750, 1750))).query("LWPOLYLINE")
+    assert isinstance(milled, LWPolyline)
+    assert (path.gap, milled.closed) == (1, True)
+    assert tuple(milled.get_points("xy")[-1]) == (2.251, 4)
+    assert not any("not closed" in line for line in inspection_report(inspect(path)))
 
 
 def test_the_four_holes_as_dxf() -> None:
