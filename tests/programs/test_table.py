@@ -128,3 +128,8 @@ def test_millimetres_are_asked_for_or_said() -> None:
     with pytest.raises(WorkError, match="line 1: the unit is in: leave out --mm"):
         read(b"x in,y in\n1,2\n3,4\n", mm=True)
     assert read(b"10 0\n0 5\n-10 0\n").places[0] == (10, 0)  # 20 in, as wide as the table
+
+
+def test_named_columns_are_x_and_y_in_any_order() -> None:
+    for text in (b"X=1 Y=2\nX=3 Y=4\nX=5 Y=6\n", b"Y=2 X=1\nY=4 X=3\nY=6 X=5\n"):
+        assert [*read(text).places] == [(1, 2), (3, 4), (5, 6)], text

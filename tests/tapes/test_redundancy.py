@@ -111,3 +111,19 @@ def test_a_rule_that_more_than_a_tenth_breaks_is_none() -> None:
     for at in range(7, 200, 14):
         tape[at] ^= 0o200
     assert redundancy.contradict(bytes(tape), {}, weakest)[0] == {}
+
+
+@pytest.mark.parametrize("tape", [BIN, EIA])
+def test_a_tape_is_turned_as_it_lies(tape: bytes) -> None:
+    ways = {
+        "": tape,
+        redundancy.REVERSE: tape[::-1],
+        redundancy.MIRROR: redundancy.mirrored(tape),
+        f"{redundancy.REVERSE} {redundancy.MIRROR}": redundancy.mirrored(tape[::-1]),
+    }
+    assert {way: redundancy.turned(each) for way, each in ways.items()} == {way: way for way in ways}
+
+
+def test_a_scrap_is_not_turned() -> None:
+    for scrap in (b"", b"\x83\6\5", *(EIA[at : at + 2] for at in range(60, 100)), EIA[70:73][::-1]):
+        assert redundancy.turned(scrap) == "", scrap

@@ -18,6 +18,7 @@ FORMS = {
     "102 000 073 000 012 050 074 002 102 050 000 002 # in a row\n": "octal frames, one a line",
     "@080\nec0 // CLA CLL\n2a8\nf02\n@0a8\n002\n": "Verilog's $readmemh",
     "\ufeff/* two\nlines */\n@0080 0EC0 0_2A8 f02\n\n@a8 2\n": "Verilog's $readmemh",
+    "@0080\n1110_1100_0000\n001010101000\n111100000010\n@00A8\n000000000010\n": "lines of twelve bits",
     "@80\n111011000000\n0010_1010_1000\n111 100 000 010\n@0a8\n000000000010\n": "lines of twelve bits",
     "0x080:0xEC0\n0x081:0x2a8\n082: F02 ; HLT\n0A8:2\nep:080\n": f"{EP}; it starts at 0200",
     "(0200)=7300\n201: 1250\n0202/ 7402 / HLT\n0250,0002\n": "octal addresses and words",

@@ -17,6 +17,8 @@ from typing import Any
 
 import pytest
 
+from pdp8.cli.running.line import opened
+from pdp8.shelf import ShelfError
 from tests import commands
 from tests.commands import Terminal
 from tests.conftest import Call, Shell, assert_same_tape
@@ -210,3 +212,10 @@ def test_a_tcp_port_is_a_line_and_who_comes_back_loses_nothing() -> None:
         client.sendall(b"e")
         assert client.recv(1) == b"E"
     commands.signalled(run, signal.SIGINT)
+
+
+@pytest.mark.parametrize("port", ["0", "65536", "-1", "x", "", "1.5", "1", "65535"])
+def test_a_port_is_from_1_to_65535(port: str) -> None:
+    with pytest.raises(ShelfError) as refused:  # nobody here has this address
+        opened(f"tcp:192.0.2.1:{port}")
+    assert ("a port from 1 to 65535" in str(refused.value)) == (port not in ("1", "65535"))

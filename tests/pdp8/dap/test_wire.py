@@ -1,6 +1,7 @@
 """What is no message, and requests that no editor should send: an answer each, and no traceback."""
 
 import json
+from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 import pytest
 
 from pdp8.dap import session
+from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.session import Session
 from pdp8.dap.wire import Wire
 from tests.commands import run
@@ -166,3 +168,67 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
     assert len(said) == len(asked)
     for (name, _, expected), message in zip(asked, said, strict=True):
         assert (expected in message) if expected else message == "", f"{name}: {message}"
+
+
+def test_after_continue_the_program_is_told_to_wait_again(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(Wire, "holds", False)
+    (tmp_path / "waits.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
+    launch = ("launch", {"program": str(tmp_path / "waits.pal")})
+    thread = {"threadId": 1}
+    begun: tuple[str, dict[str, Any]] = ("configurationDone", {})
+    heard = held(launch, begun, ("pause", thread), ("continue", thread), ("pause", thread))
+    assert len([each for each in heard if "the program waits" in str(each.get("body"))]) == 2
+    assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == ["pause", "pause"]
+
+
+@pytest.mark.parametrize(
+    ("words", "line"), [({}, 2), ({"linesStartAt1": True}, 2), ({"linesStartAt1": False}, 1)]
+)
+def test_lines_begin_at_1_unless_an_editor_says_0(words: dict[str, Any], line: int, tmp_path: Path) -> None:
+    (tmp_path / "own.pal").write_text("*200\n\tCLA\n\tHLT\n$\n")
+    source = {"path": str(tmp_path / "own.pal")}
+    launch = ("launch", {"program": source["path"], "stopOnEntry": True})
+    points = ("setBreakpoints", {"source": source, "breakpoints": [{"line": line}]})
+    *_, placed, frames = held(("initialize", words), launch, points, ("stackTrace", {"threadId": 1}))
+    (point,) = placed["body"]["breakpoints"]
+    assert (point["line"], point["instructionReference"]) == (line, "0x0100")
+    assert frames["body"]["stackFrames"][0]["line"] == line
+
+
+@pytest.mark.parametrize("shows", [True, False])
+def test_the_way_back_is_shown_to_editors_that_can(shows: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    def back_to(self: Debuggee, look: Callable[[float], None]) -> Halt:
+        look(0.2)
+        look(0.7)
+        return Halt("entry")
+
+    monkeypatch.setattr(session, "_PROGRESS", -1)
+    monkeypatch.setattr(Debuggee, "back_to", back_to)
+    launch = {"program": "hello.pal", "stopOnEntry": True}
+    back = ("reverseContinue", {"threadId": 1})
+    heard = held(("initialize", {"supportsProgressReporting": shows}), ("launch", launch), back, back)
+    events = [each for each in heard if each.get("event", "").startswith("progress")]
+    told = [(each["event"][8:], each["body"].get("percentage")) for each in events]
+    assert told == [("Start", None), ("Update", 20), ("Update", 70), ("End", None)] * (2 if shows else 0)
+
+
+def test_a_pause_ends_one_search_and_not_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    searches: list[object] = []
+
+    def back_to(self: Debuggee, look: Callable[[float], None]) -> Halt:
+        searches.append(look)
+        if len(searches) == 1:
+            made._heard({"command": "pause"})
+        look(0.5)
+        return Halt("entry")
+
+    monkeypatch.setattr(Debuggee, "back_to", back_to)
+    back = {"type": "request", "command": "reverseContinue", "arguments": {"threadId": 1}}
+    launch = {"type": "request", "command": "launch", "arguments": {"program": "hello.pal"}}
+    out = BytesIO()
+    made = Session(BytesIO(framed(launch, back, back)), out)
+    made.serve()
+    first, second = [each for each in spoken(out.getvalue()) if each.get("command") == "reverseContinue"]
+    assert (first["message"], second["success"]) == ("paused: the machine stands where it stood", True)

@@ -110,3 +110,19 @@ def test_what_a_key_did() -> None:
         "It runs, and did not hear DEP.",
         f"It has stopped: RUN is dark, and MEMORY ADDRESS says {address}.",
     ]
+
+
+def test_a_switch_that_locks_is_said_as_it_stands_now() -> None:
+    machine, minute = Machine(), Minute(typed=False)
+    minute.begin(machine)
+    answers = []
+    for key in ("mem prot", "sing step", "mem prot", "sing step"):
+        _press(machine, key)
+        minute.answer(key, machine)
+        answers.append(minute.did)
+    assert answers == [
+        "MEM PROT is on: 7600 to 7777 cannot be written.",
+        "SING STEP is on: it stops after each cycle.",
+        "MEM PROT is off: all of memory can be written.",
+        "SING STEP is off: it runs freely again.",
+    ]
