@@ -119,17 +119,18 @@ export const cases = {
   "a tape with a leader is under the mill's head at its first block": async () => {
     const { Mill } = await get("bench/mill");
     const { bytes } = await import("./pdp8/web/translator/runtime.mjs");
-    const { text, path } = (await get("method")).circle(200, true);
+    const { text, path } = (await get("method")).circle(10, true);
     const frames = bytes([0, 0, 0, ...(await import("./tapes/eia.mjs")).encode(text.replaceAll(" ", "0"))]);
     const mill = new Mill(await desk({ record: { cutter: 500 }, tabs: { open: nothing } }));
     find("mill").hidden = false;
     mill.lay("a.eia", frames, path);
-    const head = () => find("mill-reader").querySelector(".name").textContent.split(" ")[1];
+    const head = () => find("mill-reader").querySelector(".name").textContent.replaceAll("\u2009", "").split(" ")[1];
     const seen = [-1e9, 1, path.times.total * 2e7].map((ticks) => (mill.follow(ticks), [Number(head()) > 3, find("whole-label").textContent.includes(`block ${path.steps.length} of`)]));
     mill.follow(-1);
     seen.push(head(), find("whole-label").textContent.startsWith("waits for its tape"), find("refusal").textContent);
+    seen.push(/within [−+]\d\.\d{4} and [−+]\d\.\d{4}$/.test(find("close-label").textContent));
     mill.lay("b.eia", frames, null, "Refused: it");
-    return [[seen, mill.summary], [[[false, false], [false, false], [true, true], "3", true, ""], "Refused: it"]];
+    return [[seen, mill.summary], [[[false, false], [false, false], [true, true], "3", true, "", true], "Refused: it"]];
   },
   "speeds go no further than the first and the last": async () => {
     const { Time } = await get("bench/time");
@@ -244,10 +245,11 @@ export const cases = {
   "registers take octal words as wide as they are": async () => {
     const { Registers } = await get("bench/registers");
     const made = Object.assign(Object.create(Registers.prototype), { bench: await desk() });
-    const input = (ariaLabel, value) => made.set({ ariaLabel, value, blur: nothing });
+    const input = (ariaLabel, value) => made.set({ ariaLabel, value, blur: () => (blurred += 1) });
     const { machine: own } = made.bench;
+    let blurred = 0;
     const seen = [["AC", "7777"], ["AC", "10000"], ["AC", "8"], ["L", "1"], ["L", "2"], ["PC", "200"], ["PC", ""]].map(([name, value]) => (input(name, value), [own.ac, own.link, own.pc]));
-    return [seen, [[4095, 0, 0], [4095, 0, 0], [4095, 0, 0], [4095, 1, 0], [4095, 0, 0], [4095, 0, 128], [4095, 0, 128]]];
+    return [[seen, blurred], [[[4095, 0, 0], [4095, 0, 0], [4095, 0, 0], [4095, 1, 0], [4095, 0, 0], [4095, 0, 128], [4095, 0, 128]], 7]];
   },
   "a link's state is whole again, and no longer than it may be": async () => {
     const { LONGEST, opened, shortened, whole } = await get("bench/sharing");
@@ -402,5 +404,74 @@ export const cases = {
     editor.keep();
     editor.keep();
     return [[untouched, programs.names(), editor.name, programs.get("a.pal"), programs.get("a 2.pal")], [["a.pal", ["a.pal"]], ["a 2.pal", "a.pal"], "a 2.pal", "theirs", "mine"]];
+  },
+  "a play ends with the afternoon, and not before": async () => {
+    const made = await afternoon();
+    const second = 20_000_000;
+    Object.assign(made.made, { now: 0, end: 10 * second });
+    made.playing = true;
+    const seen = [[1000, 1], [8900, 1], [200, 1]].map(([milliseconds, speed]) => (made.pass(milliseconds, speed, 0).length, [made.playing, made.made.now / second]));
+    return [seen, [[true, 1], [true, 9.9], [false, 10.1]]];
+  },
+  "Tab writes where somebody writes, and leads on otherwise": async () => {
+    const { Editor } = await get("bench/editor");
+    const { area } = new Editor(await desk({ programs: {}, shelf: {} }));
+    const wrote = [];
+    area.setRangeText = (text) => wrote.push(text);
+    const key = (name, more = {}) => { let taken = false; area.heard.keydown.at(-1)({ key: name, preventDefault: () => (taken = true), ...more }); return taken; };
+    area.readOnly = false;
+    const seen = [key("Tab"), key("Enter"), key("Enter"), key("Tab"), key("Tab", { shiftKey: true }), key("Escape"), key("Tab"), key("x"), key("Tab")];
+    area.readOnly = true;
+    seen.push(key("Tab"));
+    return [[seen, wrote], [[false, true, false, true, false, false, false, false, true, false], ["\t", "\t"]]];
+  },
+  "a link holds what it is given, in letters that an address has": async () => {
+    const { linked, opened } = await get("bench/sharing");
+    const { inflateRawSync } = await import("node:zlib");
+    globalThis.pack = { unpacked: async (text) => inflateRawSync(Buffer.from(text, "base64")).toString() };
+    const wrong = [];
+    for (let number = 0; number < 40; number++) {
+      const given = { program: { name: `${number}.pal`, text: Array.from({ length: 9 * number }, (_, at) => (at * number * 7919 % 4096).toString(8)).join(" ") } };
+      const link = await linked(given, "page.html");
+      location.hash = link.slice("page.html".length);
+      if (!/^#s=[\w-]+$/.test(location.hash) || JSON.stringify(await opened()) !== JSON.stringify(given)) wrong.push(number);
+    }
+    location.hash = "#s=AAAA";
+    const damaged = await opened().catch(({ message }) => message);
+    location.hash = "";
+    return [[wrong, damaged], [[], "it is damaged or cut short"]];
+  },
+  "why a program is not run is its first error": async () => {
+    const { Editor } = await get("bench/editor");
+    const bench = await desk({ programs: {}, shelf: {}, switches: { press: (key) => bench.said.push(key) } });
+    const editor = Object.assign(new Editor(bench), { assemble: () => false, load: () => true });
+    const note = (severity, line) => ({ severity, line, brief: `${severity} ${line}` });
+    for (const diagnostics of [[note("warning", 1), note("error", 3), note("error", 4)], [note("warning", 1)], []]) {
+      Object.assign(editor, { assembly: { diagnostics, summary: "no word" } });
+      editor.run();
+    }
+    editor.assemble = () => true;
+    editor.run();
+    editor.load = () => false;
+    editor.run();
+    return [bench.said, ["Not run: line 3, error 3", "Not run: no word", "Not run: no word", "start"]];
+  },
+  "a practice goes on where it was left, one that was done begins": async () => {
+    const { Switches } = await get("bench/switches");
+    const lines = rows(60);
+    find("card").querySelectorAll = () => lines;
+    find("computer").querySelectorAll = () => [];
+    const { card } = Object.assign(new Switches(await desk()), {});
+    const count = card.card.steps.length;
+    const now = () => lines.flatMap(({ classes }, at) => (classes.has("now") ? [at] : []));
+    const seen = [0, 3, count - 1, count].map((at) => ((card.kept = [at, 2, 5, true]), [card.coach.at, now(), card.kept]));
+    card.end();
+    seen.push([card.coach, now(), find("drill").ariaPressed, card.allows("start")]);
+    card.kept = [0, 0, 0, false];
+    seen.push([card.allows("cont"), card.coach.wrong]);
+    delete find("card").querySelectorAll;
+    delete find("computer").querySelectorAll;
+    const at = (place) => [place, [place], [place, 2, 5, true]];
+    return [seen, [at(0), at(3), at(count - 1), at(0), [null, [], "false", true], [false, 1]]];
   },
 };

@@ -227,4 +227,41 @@ export const cases = {
     globalThis.setTimeout = real;
     return [[seen, said.includes("goes another way")], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true]];
   },
+  "a ring is lit while its input has the focus": async () => {
+    const { Figure } = await get("curve/drawing");
+    const { size } = inputs("lit", { size: [10] });
+    const figure = new Figure("lit", () => ["", 1, "", { size: { x: 0, y: 0, to: nothing } }]);
+    figure.near = true;
+    const seen = [];
+    for (const [event, focus] of [["focusin", size], ["focusout", null], ["input", null]]) {
+      page.activeElement = focus;
+      find("lit").hear(event);
+      await soon(5);
+      seen.push(figure.svg.innerHTML.includes('class="hold on"'));
+    }
+    return [seen, [true, false, false]];
+  },
+  "what is made of a path has its times": async () => {
+    const { plain } = await get("curve/made");
+    const method = await get("method");
+    const times = [method.circle(50, false), method.quarter(20, 3), method.slope(20, 0, 0, 30)].map((made) => {
+      const { steps, stops, milling, way } = plain(made);
+      const cutting = stops.reduce((sum, { seconds }) => sum + seconds, 0) / 60;
+      return [Math.abs(cutting - milling) < 0.02 * milling, stops.length <= steps.length, way.length > 1, stops.every(({ axis, mills }) => mills && "XY".includes(axis))];
+    });
+    return [times, Array(3).fill([true, true, true, true])];
+  },
+  "a cost stands by its tolerance, in their order": async () => {
+    const { costs, curved } = await get("curve/quarter");
+    const { withoutWaiting } = await get("curve/made");
+    inputs("costs", { tolerance: [10], feed: [1] });
+    inputs("curved", { tolerance: [10], cutter: [8], place: [45] });
+    let places, heights;
+    withoutWaiting(() => {
+      const { draw } = costs();
+      places = [1, 2, 4, 10, 20, 50].map((tolerance) => draw({ tolerance, feed: 5 }, 700)[3].tolerance.x);
+      heights = [559, 560, 561].map((width) => curved().draw({ tolerance: 50, cutter: 8, place: 45 }, width)[1]);
+    });
+    return [[places.every((x, at) => !at || x > places[at - 1]), heights.map((high) => high > 500)], [true, [true, false, false]]];
+  },
 };

@@ -249,8 +249,8 @@ export const cases = {
     const { Page } = await get("room/teletype");
     const paper = new Page();
     for (const frame of [0o301, 0o215, 0o212]) paper.take(frame);
-    const wide = [4, 4, 16, 4].map((sharp) => (strokes((c) => paper.draw(c, 0, 0), sharp), paper.sharp));
-    return [wide, [4, 4, 16, 4]];
+    const wide = [4, 4, 16, 4].map((sharp) => (strokes((c) => paper.draw(c, 0, 0), sharp), [paper.sharp, paper.ended - paper.drawn]));
+    return [wide, [[4, 0], [4, 0], [16, 0], [4, 0]]];
   },
   "filaments follow and rest": async () => {
     const { Filaments } = await get("room/panel");
@@ -304,5 +304,56 @@ export const cases = {
     other.look({ x: 0, y: 0, w: 10, h: 10 }, frame, false);
     other.look(box, frame, true);
     return [[Math.round(first), glides, camera.moves, at(camera), at(other)], [20, [true, false], false, [40, -300, -650], [40, -300, -650]]];
+  },
+  "who has turned from the punch stays at the panel while the program waits": async () => {
+    const made = await taken();
+    const due = [];
+    const step = { say: "s", key: "", switches: -1 };
+    const seen = { frames: [], made: "", run: 1, sr: 0o17, waits: false };
+    made.hands = Object.assign(made.hands, { due: (key, bits) => due.push([key, bits]), seek: nothing });
+    made.guide = { next: () => step, seen, did: "", start: 0 };
+    const look = (waits, how = nothing) => {
+      seen.waits = waits;
+      how();
+      made.show();
+      return [made.typing, find("help").hidden, find("turn").hidden, find("see").hidden, find("turn").textContent];
+    };
+    const views = [look(false), look(true), look(true, () => made.turn()), look(true), look(true, () => (seen.made = "A")), look(false), look(true)];
+    Object.assign(step, { switches: 0o7, key: "" });
+    made.show();
+    Object.assign(step, { switches: -1, key: "dep" });
+    made.show();
+    const [panel, punch] = ["To the panel", "To the punch"];
+    return [[views, due.slice(-2)], [[
+      [false, false, true, true, punch], [true, true, false, true, panel], [false, true, false, true, punch], [false, true, false, true, punch],
+      [false, true, false, false, punch], [false, false, true, false, punch], [true, true, false, false, panel]], [["", 0o10], ["dep", 0]]]];
+  },
+  "each character is struck once, a space and a return are not": async () => {
+    const made = await taken();
+    made.struck.length = 0;
+    const { printer } = made.bench.machine.teletype;
+    const moved = [];
+    const type = (...codes) => {
+      for (const code of codes) printer.frames.append(code);
+      made.show();
+      made.pass(0.001);
+      made.show();
+      made.pass(0.001);
+      moved.push([made.moved.struck > 0.5, made.moved.fed > 0.5]);
+      Object.assign(made.moved, { struck: 0, fed: 0 });
+    };
+    type(0o301, 0o240, 0o215);
+    type(0o212);
+    type(0o207, 0o302);
+    printer.frames.clear();
+    type(0o303);
+    return [[made.struck, moved, made.typed, made.page.paper.lines], [["print", "feed", "bell", "print", "print"], [[true, false], [false, true], [true, false], [true, false]], 1, ["C"]]];
+  },
+  "what stands says so at once": async () => {
+    const made = await drawn();
+    made.still = true;
+    made.enter(150 * 2e7);
+    made.pass(0.001);
+    return [[made.texts()[1], made.tour.turn, made.playing], ["stands still", 2, false]];
   },
 };
