@@ -6,13 +6,13 @@ import random
 import pytest
 
 from pdp8.computer.dectape.tc08 import TC08, turned
-from pdp8.computer.dectape.tu55 import STOPPED, Transport
+from pdp8.computer.dectape.tu55 import STOPPED
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
 from pdp8.reels import boot
-from tapes.dectape import BLOCKS, WORDS
+from tapes.dectape import WORDS
 from tests.pdp8.computer.bench import core
 from tests.pdp8.computer.dectape.reel import machine, reel
 from tests.pdp8.web.node import in_node, needs_node
@@ -263,37 +263,3 @@ def test_back_across_a_written_block() -> None:
     assert state.save(m) == after
     rewind.seconds(history, history.seconds)
     assert control.drives[0].blocks == {}
-
-
-def test_a_transport_with_another_reel_is_as_a_fresh_one() -> None:
-    used, fresh = Transport(), Transport()
-    used.mount(reel(), locked=True)
-    used.go(1, 100)
-    used.go(0, 50_000_000)
-    used.write(5, 0, 0o1234)
-    for each in (used, fresh):
-        each.mount(reel())
-    names = [*Transport.fields]
-    names.remove("image")
-    assert [getattr(used, name) for name in names] == [getattr(fresh, name) for name in names]
-
-
-def test_what_was_written_is_in_the_order_of_blocks_and_not_on_the_reel_that_was_mounted() -> None:
-    one, other = Transport(), Transport()
-    for each, blocks in ((one, (7, 3, BLOCKS - 1)), (other, (3, BLOCKS - 1, 7))):
-        each.mount(reel())
-        for block in blocks:
-            each.write(block, 128, 0o7070)
-    assert one.changed == other.changed
-    before = one.image
-    assert before is not None
-    written = one.written()
-    assert written is not None
-    assert (written.words[WORDS * 3 + 128], before.words[WORDS * 3 + 128]) == (0o7070, 3)
-    other.mount(reel())
-    other.changed = one.changed
-    assert other.read(BLOCKS - 1, 128) == 0o7070
-    high = bytes([BLOCKS >> 8, BLOCKS & 0o377])
-    for wrong in (one.changed[:-1], one.changed[:-260] + high + one.changed[-258:]):
-        with pytest.raises(ValueError, match="blocks of a DECtape"):
-            other.changed = wrong
