@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import NamedTuple
 
+from pal.isa import BREAK
 from pdp8.computer.hardware.fields import Values, changed, size, walk
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import Printer, Punch
@@ -120,6 +121,8 @@ class History:
         if reason != Reason.LIMIT:
             left = self._ended.items()
             self._add({name: value for name, value in left if name in others or not isinstance(value, bytes)})
+        elif self.machine.processor.state == BREAK:  # several moments have this number of instructions
+            self._add({})
 
     def _note(self, now: Values) -> None:
         others = changed(self._ended, now)

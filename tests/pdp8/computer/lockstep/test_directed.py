@@ -250,3 +250,10 @@ def test_false_characters_of_the_teletype(form: str) -> None:
         before = Act("wait", (int(eighth * EIGHTH) - 10,)), STOP, START, Act("wait", (int(EIGHTH) + 10,))
         key = call("teletype.keyboard.press", b"\x55")
         same(form, iots, *STARTED, key, *before, put("pc", 0o201), *runs((None, 1)), *done)
+
+
+def test_back_to_a_run_that_began_among_breaks(form: str) -> None:
+    words = core("24/ 402 0 1572 371 34/ 5427 371/ 6714 0 4600")  # a break each 11 ticks
+    acts = (Act("record"), *runs((19038, 100_000), (31836, 1), (390, 3)), Act("back", (2,)))
+    difference = play(Situation(False, words, acts, 0o20000), [form]).difference
+    assert not difference, difference
