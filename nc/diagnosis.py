@@ -16,7 +16,9 @@ _SHOWN = 5
 def notes(frames: bytes) -> tuple[str, ...]:
     """Return what is doubtful on an EIA tape but not noticed by the reader, which does not check parity."""
     found = doubts.find(frames, codes.EIA) if codes.recognise(frames) is codes.EIA else []
-    shown = [f"{doubt}; the head does not check parity" for doubt in found[:_SHOWN] if doubt.seen]
+    uneven = dict(codes.EIA.uneven(frames))
+    found = [doubt for doubt in found if doubt.seen and doubt.frame not in uneven]
+    shown = [f"{doubt}; the head does not check parity" for doubt in found[:_SHOWN]]
     return (*shown, *[f"and {len(found) - _SHOWN} more"] * (len(found) > _SHOWN))
 
 

@@ -80,6 +80,10 @@ class Code:
         """Return runs of blank tape inside the data, if they are no data."""
         return ()
 
+    def uneven(self, frames: bytes) -> list[tuple[int, str]]:
+        """Return the first frame of each block that is not as long as nearly all others, and what it is."""
+        return []
+
     def line_end(self) -> int:
         """Return the character that ends a line, without channel 8 if that is parity."""
         return 0o200
@@ -131,7 +135,7 @@ class Characters(Code):
             if start == len(frames):
                 break
             piece = frames[max(first, title.stop) : end].strip(LABEL_GAP)
-            if self._has_lines(frames[start:]) and self.likelihood(frames[start:]) >= MOSTLY:
+            if self._has_lines(frames[start:]) and self.likelihood(frames[start:]) >= 0.9 * MOSTLY:
                 odd = piece.translate(None, LABEL_GAP[:1]).translate(None, self.fitting(frames[start:]))
                 written = self._has_lines(piece) and len(odd) < len(piece) / 10
                 if written or not (odd or BLANK in piece or (title and len(piece) <= _LETTER)):

@@ -60,9 +60,7 @@ def convert(
         return made.encode(text, parity, punched) if isinstance(made, Characters) else text.encode()
     if not content:
         raise TapeError("empty tape", 0)
-    way = redundancy.turned(content)
-    if way:
-        raise TapeError(f"the tape is {redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it")
+    _check_way(content)
     raise TapeError(
         f"{TEXT if source == TEXT else code.article} cannot become {target}; octal takes any tape"
     )
@@ -72,10 +70,18 @@ def _words(code: Words, content: bytes, force: bool) -> dict[int, int]:
     return code.readable(content) if force else code.decode(content)
 
 
+def _check_way(content: bytes) -> None:
+    """Raise TapeError for a tape that has to be turned."""
+    way = redundancy.turned(content)
+    if way:
+        raise TapeError(f"the tape is {redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it")
+
+
 def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[bytes, bytes]:
     """Return the title of a tape and its text. Raises TapeError for doubtful frames that are not accepted."""
     if not accept:
         doubts.check(content, code)
+        _check_way(content)
     for gap in reversed(code.gaps(content)):
         content = content[: gap.start] + content[gap.stop :]
     end = max([label.stop for label in code.labels(content)], default=0)

@@ -53,6 +53,7 @@ def find(frames: bytes, code: Code | None = None) -> list[Doubt]:
     for gap in code.gaps(frames):
         said = f"{counted(len(gap), 'blank frames')} inside the data, as at a splice"
         found.append(Doubt(gap.start, BLANK, None, said, "nothing"))
+    found += [Doubt(at, frames[at], None, said, "as punched") for at, said in code.uneven(frames)]
     return sorted(found)
 
 

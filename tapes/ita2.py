@@ -7,9 +7,10 @@ Figures F, G and H, which each country assigned for itself, are here !, & and #.
 Sources: CCITT Recommendation F.1, International Telegraph Alphabet No. 2.
 """
 
+from collections.abc import Collection
 from typing import Final
 
-from tapes.code import MOSTLY, Characters, Row, lengths, unended
+from tapes.code import MOSTLY, Characters, Row, Rule, lengths, nearly_all, unended
 from tapes.errors import TextError
 from tapes.frames import BLANK, skip
 
@@ -61,10 +62,22 @@ class _Ita2(Characters):
         return BLANK
 
     def likelihood(self, frames: bytes) -> float:
-        """Just under MOSTLY if no frame has a sixth channel and it begins with a shift or has line ends."""
+        """Just under MOSTLY if it begins with a shift or has line ends and no frame has a sixth channel; in a
+        tape of several lines nine in ten frames have none.
+        """
         first = frames[skip(frames, 0, BLANK) :][:1]
         begun = first in (bytes([LETTERS]), bytes([FIGURES])) or _LINE_END in frames
-        return 0.9 * MOSTLY if begun and not frames.translate(None, _FIVE) else 0.0
+        fits = not frames.translate(None, _FIVE)
+        fits = fits or (self.sense(frames) > 2 and nearly_all(frames.replace(b"\0", b""), _FIVE))
+        return 0.9 * MOSTLY if begun and fits else 0.0
+
+    def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule:
+        """Return that no frame has a sixth channel."""
+        return Rule("ITA2's five channels", lambda _, frame: frame in _FIVE)
+
+    def sense(self, frames: bytes) -> float:
+        """Return how many lines end with CR LF."""
+        return frames.count(_LINE_END)
 
     def report(self, frames: bytes) -> list[Row]:
         """Return the count of lines."""

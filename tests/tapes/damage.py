@@ -12,12 +12,15 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from tapes import ascii, controls, convert, doubts, eia, redundancy
+from tapes import ascii, controls, convert, doubts, eia, ita2, redundancy
 from tapes import codes as tape_codes
 from tapes.errors import WorkError
 
-DAMAGES = ("none", "hole", "holes", "rubout", "splice", "reverse", "mirror", "both", "title", "mixed")
-CODES = ("eia", "even", "mark", "odd")
+DAMAGES = (
+    "none", "hole", "holes", "rubout", "splice", "reverse", "mirror", "both", "title", "mixed", "missing",
+    "doubled",
+)  # fmt: skip
+CODES = ("eia", "even", "mark", "odd", "ita2")
 _PROSE = ("THE", "TAPE", "IS", "READ", "BY", "A", "MACHINE", "AND", "PUNCHED", "FOR", "EACH", "PART")
 _GLYPHS = [b"\x7f\x11\x11\x0e", b"\x7f\x40\x40", b"\x3e\x41\x41\x22", b"\x7f\x49\x49\x41", b"\x01\x7f\x01"]
 
@@ -39,14 +42,14 @@ def drawn(count: int, seed: int) -> Iterator[Damaged]:
 
 
 def _one(draw: random.Random, damage: str, code: str) -> Damaged:
-    form = draw.choice(("blocks", "words", "prose"))
+    form = "prose" if code == "ita2" else draw.choice(("blocks", "words", "prose"))
     text = {"blocks": _blocks, "words": _words, "prose": _lines}[form](draw, draw.randrange(12, 90))
     body = _punched(text, code)
     lead = bytes(draw.randrange(40))
     tape, wrong, was = lead + body + lead, frozenset[int](), dict[int, int]()
     if damage in ("hole", "holes"):
         for at in draw.sample(range(len(lead), len(lead) + len(body)), 1 if damage == "hole" else 3):
-            bit = 0o200 if code == "mark" else 1 << draw.randrange(8)
+            bit = 0o200 if code in ("mark", "ita2") else 1 << draw.randrange(8)
             if tape[at] in (0o377, 0o177) or tape[at] ^ bit in (0, 0o200, 0o377):
                 continue
             was[at] = tape[at]
@@ -55,7 +58,7 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
         wrong = frozenset(seen)
     elif damage == "rubout":
         at = draw.randrange(len(lead), len(lead) + len(body))
-        tape = tape[:at] + bytes([0o177 if code == "eia" else 0o377]) * 2 + tape[at:]
+        tape = tape[:at] + bytes([{"eia": 0o177, "ita2": 0o37}.get(code, 0o377)]) * 2 + tape[at:]
     elif damage == "splice":
         at = draw.randrange(len(lead) + 30, len(lead) + len(body) - 30)
         tape = tape[:at] + bytes(6) + tape[at:]
@@ -63,7 +66,13 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
     elif damage == "title":
         letters = b"\0\0".join(draw.choice(_GLYPHS) for _ in range(draw.randrange(4, 9)))
         tape = letters + bytes(draw.randrange(8, 30)) + body + lead
-    elif damage == "mixed" and code != "eia":
+    elif damage in ("missing", "doubled"):
+        at = len(lead) + draw.randrange(30, len(body) - 30)
+        tape = tape[:at] + tape[at + 1 if damage == "missing" else at :]
+        tape = tape if damage == "missing" else tape[:at] + tape[at : at + 1] + tape[at:]
+        if code == "eia" and form == "blocks" and (at - len(lead)) % 20 < 19:
+            wrong = frozenset([at - (at - len(lead)) % 20])
+    elif damage == "mixed" and code not in ("eia", "ita2"):
         other = "odd" if code == "even" else "even"
         tape = lead + body + _punched(text, other) + lead
     elif damage == "mirror":
@@ -76,6 +85,8 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
 
 
 def _punched(text: str, code: str) -> bytes:
+    if code == "ita2":
+        return ita2.ITA2.encode(text)
     return eia.encode(text) if code == "eia" else ascii.encode(text, code, 0)
 
 
@@ -99,6 +110,14 @@ def _lines(draw: random.Random, count: int) -> str:
     return "".join(" ".join(draw.choices(_PROSE, k=draw.randrange(3, 9))) + "\n" for _ in range(count))
 
 
+def _refused(tape: bytes) -> bool:
+    try:
+        convert.convert(tape, tape_codes.recognise(tape).name, "text")
+    except WorkError:
+        return True
+    return False
+
+
 def survey(count: int, seed: int) -> tuple[Counter[str], list[str]]:
     """Return what was found, counted, and what was not as it should be."""
     found: Counter[str] = Counter()
@@ -115,6 +134,8 @@ def survey(count: int, seed: int) -> tuple[Counter[str], list[str]]:
         elif way and damage not in ways:
             faults.append(f"{what}: said to be turned {way}")
         if damage in ways:
+            if way and not _refused(tape):
+                faults.append(f"{what}: made a text of")
             continue
         doubtful = {doubt.frame: doubt for doubt in doubts.find(tape)}
         found["damaged"] += len(wrong)
@@ -128,13 +149,9 @@ def survey(count: int, seed: int) -> tuple[Counter[str], list[str]]:
         code = tape_codes.recognise(tape)
         if (controls.other_control(tape, code) == "word address") != (form == "words"):
             faults.append(f"{what}: word address not as it is")
-        try:
-            convert.convert(tape, code.name, "text")
-            if wrong:
-                faults.append(f"{what}: mended in silence")
-        except WorkError:
-            if not wrong:
-                faults.append(f"{what}: refused")
+        refused = _refused(tape)
+        if refused != bool(wrong):
+            faults.append(f"{what}: {'refused' if refused else 'mended in silence'}")
     return found, faults
 
 
