@@ -160,9 +160,12 @@ class _Eia(Characters):
 
     def uneven(self, frames: bytes) -> list[tuple[int, str]]:
         """Return the blocks of digits that have not 19, on a tape of which nine in ten have."""
-        found, at, blocks = [], skip(frames, 0, BLANK), 0
-        for piece in frames[at : paper_end(frames)].split(bytes([EOB])):
-            count = len(piece.replace(bytes([DELETE]), b""))
+        found: list[tuple[int, str]] = []
+        at, end, blocks = skip(frames, 0, BLANK), paper_end(frames), 0
+        while at < end:
+            close = frames.find(EOB, at, end)
+            piece = frames[at : end if close == -1 else close]
+            count = len(piece.translate(None, bytes([DELETE])))
             blocks += count == DIGITS
             if count not in (0, DIGITS) and not piece.translate(None, _DIGITS + bytes([DELETE])):
                 found.append((at, f"a block of {counted(count, 'digits')}; nearly all have {DIGITS}"))

@@ -68,7 +68,7 @@ class _Ita2(Characters):
         first = frames[skip(frames, 0, BLANK) :][:1]
         begun = first in (bytes([LETTERS]), bytes([FIGURES])) or _LINE_END in frames
         fits = not frames.translate(None, _FIVE)
-        fits = fits or (self.sense(frames) > 2 and nearly_all(frames.replace(b"\0", b""), _FIVE))
+        fits = fits or (self.sense(frames) > 2 and nearly_all(frames.translate(None, bytes([BLANK])), _FIVE))
         return 0.9 * MOSTLY if begun and fits else 0.0
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule:
