@@ -214,6 +214,17 @@ def test_the_circle_that_the_listing_closes_is_a_closed_polyline() -> None:
     assert not any("not closed" in line for line in inspection_report(inspect(path)))
 
 
+def test_a_cut_of_no_length_is_not_drawn() -> None:
+    path = nc.cut(SLOPE)
+    cut = path.cuts[0]
+    stays = replace(cut, start=cut.end, end=cut.end)
+    for moves, points in (((cut, stays), 2), ((stays, cut), 2), ((stays,), 0)):
+        step = replace(path.steps[-1], moves=moves)
+        found = read_back(dxf(replace(path, steps=(step,)), Ellipse(4000, 4000, 1750, 1750)))
+        milled = [line for line in found.query("LWPOLYLINE") if line.dxf.layer == "MILL"]
+        assert sum(len(line) for line in milled if isinstance(line, LWPolyline)) == points, moves
+
+
 def test_the_four_holes_as_dxf() -> None:
     path = nc.cut(tape(*FOUR_HOLES))
     for text, radius in ((dxf(path), 0.25), (dxf(path, cutter=250), 0.125)):

@@ -108,6 +108,7 @@ def test_convert_tells_the_code_and_clean_leaves_digits(call: Call) -> None:
         assert call(f"pdp8 tape convert circle.eia --to {target}", terminal=True)[0] == 0
     assert product(call, "convert --to text", eia.encode("12\n")) == b"12\n"
     assert product(call, "clean", b"\x4f" + eia.encode("12\n")) == eia.encode("12\n")
+    assert product(call, "clean", eia.encode("12") + b"\0" + eia.encode("34\n")) == eia.encode("1234\n")
 
 
 def test_a_file_that_hides_a_bundled_one_is_named(call: Call, tmp_path: Path) -> None:

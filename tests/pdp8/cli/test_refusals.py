@@ -93,6 +93,7 @@ pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
 pdp8 run -> give a PROGRAM, or --restore
 pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
 pdp8 run --restore x --boot -> --boot does not go with --restore
+pdp8 run hello.pal --force -> --force means nothing for hello.pal: it is no tape that may be damaged.
 pdp8 run hello.pal --loader x -> --loader means nothing without --boot
 pdp8 run hello.pal --line x --reader y -> --line does not go with --reader
 pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --printer

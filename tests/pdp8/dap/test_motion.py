@@ -12,6 +12,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
 from pdp8.computer.watch import Watch
 from pdp8.dap import calls, motion
+from pdp8.dap.launch import Launch
 from pdp8.dap.scopes import stack_trace
 from pdp8.monitor.prompt import Monitor
 
@@ -99,3 +100,25 @@ def test_back_goes_through_the_stops_of_the_way_out() -> None:
     while motion.back_to(history, watched):
         backwards.append(machine.instructions)
     assert backwards == sorted(forwards, reverse=True)
+
+
+def test_a_jump_through_a_word_that_is_no_entry_is_no_return() -> None:
+    machine = Machine()
+    machine.load(
+        {0o200: 0o4210, 0o201: 0o7402, 0o210: 0, 0o211: 0o5615, 0o212: 0o7000, 0o213: 0o5610, 0o215: 0o212}
+    )
+    machine.start(0o200)
+    seen = []
+    for _ in range(3):
+        machine.run(instructions=1)
+        seen.append([frame.entry for frame in calls.frames(list(machine.core), machine.pc, 0)])
+    assert seen == [[0o210, None]] * 3
+
+
+def test_commands_of_a_launch_find_the_switches_set_and_may_set_them(tmp_path: Path) -> None:
+    source = tmp_path / "own.pal"
+    source.write_text("*200\n\tHLT\n$\n")
+    for commands, sr in (([], 0o1234), (["deposit SR 4321"], 0o4321)):
+        given = {"program": str(source), "sr": "1234", "commands": commands}
+        monitor, _ = Launch.of(given).ready(lambda line: None)
+        assert monitor.machine.sr == sr
