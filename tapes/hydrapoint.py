@@ -254,6 +254,7 @@ def typed(text: str) -> str | None:
     in a block is neither digit nor space.
     """
     lines = text.split("\n")
+    _check_fields(lines, text)
     blocks = [line for line in lines if line.strip()]
     figures = ["".join(_MISTAKEN.get(character, character) for character in line) for line in blocks]
     near = [
@@ -277,6 +278,47 @@ def typed(text: str) -> str | None:
             raise TextError(f"a block of {len(digits)} digits; it has {DIGITS}", text, at)
         at += len(line) + 1
     return "".join(f"{block.replace(' ', '') if spaced else block}\n" for block in blocks)
+
+
+def _check_fields(lines: list[str], text: str) -> None:
+    """Raise TextError for the first field of a spreadsheet's program, blocks in more than half of its lines,
+    that has not its digits.
+    """
+    tables = [_columns(line) for line in lines]
+    full = [_is_program(fields) for fields in tables if "".join(fields).strip()]
+    if 2 * full.count(True) <= len(full):
+        return
+    at = 0
+    for line, fields in zip(lines, tables, strict=True):
+        place = at
+        for field, (name, width) in zip(fields, FIELDS.items(), strict=False):
+            found = field.strip()
+            whole, point, decimals = found.replace(",", ".").partition(".")
+            cure = ""
+            if found.startswith("-"):
+                cure = "no length is below 0"
+            elif point and (whole + decimals).isdecimal() and name in ("x", "y"):
+                cure = f"type thousandths of an inch, {round(float(f'{whole}.{decimals}') * 1000):05}"
+            elif found.isdecimal() and len(found) != width:
+                cure = f"it has {width} digits" + (f": type {found:0>{width}}" if len(found) < width else "")
+            if cure:
+                raise TextError(f"{name} {found} in a block; {cure}", text, place)
+            place += len(field) + 1
+        at += len(line) + 1
+
+
+def _is_program(fields: list[str]) -> bool:
+    """Whether fields are those of a block: seven, two of them functions that the machine has."""
+    if len(fields) != len(FIELDS) or not (fields[1].strip().isdecimal() and fields[6].strip().isdecimal()):
+        return False
+    return int(fields[1]) in PREPARATORY and int(fields[6]) in MISCELLANEOUS
+
+
+def _columns(line: str) -> list[str]:
+    for mark in ("\t", ";", ","):
+        if mark in line:
+            return line.split(mark)
+    return [line]
 
 
 _MISTAKEN: Final = {**dict.fromkeys("\t,;", " "), **dict.fromkeys("Oo", "0"), **dict.fromkeys("Il", "1")}

@@ -5,6 +5,7 @@ from fractions import Fraction
 import pytest
 
 from tapes import hydrapoint
+from tapes.errors import TextError
 from tapes.hydrapoint import Block, block, corner
 from tests.reference import hydrapoint as second
 
@@ -84,3 +85,22 @@ def test_the_first_axis_to_arrive_leaves_the_other_alone(
     x, y = corner((2000, -500), (stop[0] + 2000, stop[1] - 500), *speeds)
     assert (x - 2000, y + 500) == pytest.approx(expected)
     assert corner((0, 0), (1, -1), 49.0, 49.0) == (1, -1), "1 / 49 * 49 is less than 1"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("1\t9\t1000\t2000\t0\t5\t89\n", "column 1: sequence 1 in a block; it has 3 digits: type 001"),
+        ("001;9;1,5;02000;0;05;89\n", "column 7: x 1,5 in a block; type thousandths of an inch, 01500"),
+        ("001,9,010000,02000,0,05,89\n", "column 7: x 010000 in a block; it has 5 digits"),
+        ("001,9,01000,-0.5,0,05,89\n", "column 13: y -0.5 in a block; no length is below 0"),
+        ("001\t9\t01000\t02000\t0\t05\t89\n", "column 4: a tab in a block"),
+    ],
+)
+def test_a_spreadsheets_program(text: str, said: str) -> None:
+    with pytest.raises(TextError, match=f"line 1, {said}"):
+        hydrapoint.typed(text)
+
+
+def test_other_columns_are_no_program() -> None:
+    assert hydrapoint.typed("1,2,3,4,5,6,7\n1.5,2,3,4,5,6,70\n") is None
