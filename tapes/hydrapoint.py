@@ -300,7 +300,9 @@ def _check_fields(lines: list[str], text: str) -> None:
             elif point and (whole + decimals).isdecimal() and name in ("x", "y"):
                 cure = f"type thousandths of an inch, {round(float(f'{whole}.{decimals}') * 1000):05}"
             elif found.isdecimal() and len(found) != width:
-                cure = f"it has {width} digits" + (f": type {found:0>{width}}" if len(found) < width else "")
+                cure = f"it has {width} digits" + f": type {'0' * (width - len(found))}{found}" * (
+                    len(found) < width
+                )
             if cure:
                 raise TextError(f"{name} {found} in a block; {cure}", text, place)
             place += len(field) + 1
