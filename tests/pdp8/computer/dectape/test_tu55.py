@@ -2,6 +2,7 @@
 
 import pytest
 
+from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.dectape.tu55 import Transport
 from tapes.dectape import BLOCKS, WORDS
 from tests.pdp8.computer.dectape.reel import reel
@@ -39,3 +40,10 @@ def test_what_was_written_is_in_the_order_of_blocks_and_not_on_the_reel_that_was
     for wrong in (one.changed[:-1], one.changed[:-260] + high + one.changed[-258:]):
         with pytest.raises(ValueError, match="blocks of a DECtape"):
             other.changed = wrong
+
+
+def test_each_of_eight_drives_is_selected_by_its_number() -> None:
+    control = TC08()
+    for unit in range(8):
+        control.a = unit << 9 | 0o777
+        assert control.drive is control.drives[unit]
