@@ -20,9 +20,6 @@ from tapes.errors import WorkError, naming
 from tapes.quantities import counted
 
 UNITS = range(8)
-BOOT = 0o7613
-_BOOT = (0o6774, 0o1222, 0o6766, 0o6771, 0o5216, 0o1223, 0o5215, 0o0600, 0o0220)
-"""The program that is toggled in to read the first block: OS/8 Handbook."""
 
 
 class Reels:
@@ -157,20 +154,6 @@ def assignment(text: str) -> tuple[int, str]:
     if not found or not name:
         raise WorkError(f"{text}: a drive and a file expected, as in 0=ps8.tu56")
     return drive(unit), name
-
-
-def bootstrap(unit: int = 0) -> dict[int, list[int]]:
-    """Return the words to toggle in for a drive, each run of them by its first address."""
-    return {BOOT: [*_BOOT[:7], *(word | unit << 9 for word in _BOOT[7:])], 0o7754: [0o7577, 0o7577]}
-
-
-def boot(machine: Machine, unit: int = 0) -> None:
-    """Put the bootstrap for a drive into core, and START it."""
-    machine.stop()
-    for address, words in bootstrap(unit).items():
-        machine.load(enumerate(words, address))
-    machine.panel.data_field = 0
-    machine.start(BOOT)
 
 
 def _free(name: str) -> str:

@@ -294,9 +294,9 @@ def run(ctx: click.Context, /, options: Options) -> None:
     if found or "start" in explicit:
         machine.start(options.start)
     elif options.restore is None:
-        from pdp8 import reels
+        from pdp8.computer.use import bootstrap
 
-        reels.boot(machine)
+        bootstrap.boot(machine)
     failures: list[ShelfError] = []
     began = machine.values()
     if _paged(options) or feed.left:

@@ -7,6 +7,7 @@ from pdp8.computer.rack.df32 import DF32
 from pdp8.computer.rack.kw8 import KW8
 from pdp8.computer.rack.lp08 import LP08
 from pdp8.computer.rack.pt08 import PT08
+from pdp8.computer.use import bootstrap
 from pdp8.monitor import running, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.prompt import Monitor
@@ -123,7 +124,7 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
     unit = reels.drive(name)
     if unit not in monitor.reels.names:
         raise MonitorError(f"{name}: no tape is mounted; attach {name} FILE")
-    reels.boot(monitor.machine, unit)
+    bootstrap.boot(monitor.machine, unit)
     running.run(monitor)
 
 

@@ -14,11 +14,12 @@ from collections.abc import Callable, Iterator
 from itertools import zip_longest
 from typing import Final
 
-from pdp8 import reels, shelf
+from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
+from pdp8.computer.use import bootstrap
 from pdp8.computer.use.keys import sent
 from pdp8.replay.afternoon import Afternoon
 from pdp8.replay.day import PACE, Act, Kind
@@ -105,9 +106,9 @@ class Own(Afternoon):
         """Make the ASCII tape by the FORTRAN of PS/8."""
         name, teletype = self.part[:6].upper(), self.machine.teletype
         teletype.punch.on = False
-        for at, words in reels.bootstrap().items():
+        for at, words in bootstrap.bootstrap().items():
             yield from self.operator.toggle(at, words)
-        self.operator.begin(reels.BOOT)
+        self.operator.begin(bootstrap.BOOT)
         yield from self.session.until(".", _BOOTED)
         self._done("PS/8 booted", "its dot")
         yield from self._enter(name)

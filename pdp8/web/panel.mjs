@@ -25,6 +25,7 @@ export class Panel {
     /** @type {Machine} */ this.machine = machine;
     /** @type {string | null} */ this.pressed = pressed;
     this.filaments.follow(samples ?? [machine.panel.lamps], samples ? INERTIA : 0);
+    this.filaments.lit.set("ema", [machine.panel.ema ? 1 : 0]);
     this.hands.mark(machine.processor);
     /** @type {string} */ this.words = samples && machine.processor.run ? "running" : inWords(machine);
     if (this.speaking) this.#say(this.words);

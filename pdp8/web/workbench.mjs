@@ -18,7 +18,7 @@ import { wire } from "./bench/wiring.mjs";
 import { one_of_each } from "../computer/hardware/devices.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { History } from "../computer/past/history.mjs";
-import { LARGEST, restore, save } from "../computer/past/state.mjs";
+import { LARGEST, save } from "../computer/past/state.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { unspelled } from "../../tapes/dump.mjs";
@@ -40,6 +40,7 @@ export class Bench {
   constructor(/** @type {any} */ record) {
     this.record = record;
     this.machine = new Machine(one_of_each());
+    /** @type {Desk["Drives"]} */ this.drives = LATER;
     this.writer = new Writer();
     this.shelf = new Shelf(record.tapes);
     this.shared = ""; // what a link was asked for, as a file
@@ -75,12 +76,12 @@ export class Bench {
     const machine = this.afternoon.on ? this.room.own : this.machine;
     if (!machine) return this.before;
     const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
-    return { state: save(machine), breakpoints };
+    return { state: this.drives.bare(machine), breakpoints };
   }
 
   set kept({ state, breakpoints }) {
     this.before = { state, breakpoints };
-    const machine = restore(state);
+    const machine = this.drives.restored(state);
     for (const address of breakpoints) machine.watch.breakpoints.add(address & 0o7777);
     if (this.room.open) {
       machine.panel.stop();
@@ -90,11 +91,19 @@ export class Bench {
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
-    this.machine = new Machine(one_of_each());
-    this.machine.put(machine.values());
+    this.machine = this.like(machine);
     this.machine.watch.breakpoints = machine.watch.breakpoints;
     if (stops) this.machine.panel.stop();
     this.remember();
+  }
+
+  /** A copy of a machine, with a PC8/L. */
+  like(/** @type {Machine} */ machine) {
+    const devices = one_of_each(), usual = devices.map((each) => each.constructor);
+    const others = machine.devices.map((each) => /** @type {new () => typeof each} */ (each.constructor)).filter((made) => !usual.includes(made));
+    const copy = new Machine([...devices, ...others.map((made) => new made())], machine.memory);
+    copy.put(machine.values());
+    return copy;
   }
 
   /** Keep what the machine does from now on, so that it can be undone. */
@@ -206,6 +215,7 @@ export class Bench {
     try {
       const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
+      else if (this.drives.takes(name, frames)) this.drives.mount(name, frames);
       else if (note) {
         this.#tape(this.shelf.put(name, tape));
         this.say(`${name}: ${note}`);
@@ -240,7 +250,7 @@ export class Bench {
 
   /** Let the machine be as a saved state has it, but standing still. */
   #restore(/** @type {string} */ text) {
-    this.#standing(restore(text));
+    this.#standing(this.drives.restored(text));
   }
 
   #standing(/** @type {Machine} */ machine) {

@@ -42,6 +42,7 @@ type Draw = (...at: any[]) => any;
 type Desk = {
   Apart: import("./pdp8/web/bench/apart.mjs").Apart;
   Core: import("./pdp8/web/bench/core.mjs").Core;
+  Drives: import("./pdp8/web/bench/drives.mjs").Drives;
   Editor: import("./pdp8/web/bench/editor.mjs").Editor;
   Exercises: import("./pdp8/web/bench/exercises.mjs").Exercises;
   Mill: import("./pdp8/web/bench/mill.mjs").Mill;

@@ -11,9 +11,9 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from pdp8 import reels
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
+from pdp8.computer.use import bootstrap
 from pdp8.replay.fortran import Session, rack
 from tapes import dectape, os8
 
@@ -45,7 +45,7 @@ def _started(reel: dectape.Image) -> Machine:
     """Return a machine that has halted at the PAUSE."""
     machine = rack(os8.insert(reel, "REC.FT", os8.from_text(_PROGRAM)))
     session = Session(machine)
-    reels.boot(machine)
+    bootstrap.boot(machine)
     for _ in session.until("."):
         pass
     for line, prompt in (("R FORT", "*"), ("REC<REC", "."), ("R LOADER", "*")):

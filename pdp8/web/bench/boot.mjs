@@ -1,12 +1,14 @@
 // A program loaded as an operator does, at full speed.
 
+import { TC08 } from "../../computer/dectape/tc08.mjs";
+import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { restore, save } from "../../computer/past/state.mjs";
 import { Operator } from "../../computer/use/operator.mjs";
 import { bytes } from "../translator/runtime.mjs";
 
 /** The machine after it, and what was read. Throws where a loader ends as it should not. */
 export function booted(/** @type {string} */ state, /** @type {string} */ loader, /** @type {Iterable<number>} */ tape, /** @type {string} */ name) {
-  const machine = restore(state);
+  const machine = restore(state, [], [], [...one_of_each(), new TC08()]);
   machine.teletype.reader.lever(true);
   const steps = [...new Operator(machine).boot(loader.encode("latin-1"), bytes(tape), name)];
   return { state: save(machine), said: String(steps.at(-1)) };

@@ -8,7 +8,7 @@
 import { Bus } from "../../computer/hardware/bus.mjs";
 import { Panel } from "../../computer/hardware/panel.mjs";
 import { Processor } from "../../computer/hardware/processor.mjs";
-import { CYCLE, NEVER, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
+import { CYCLE, INTERRUPT, NEVER, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { FETCH } from "../../../pal/isa.mjs";
 import { Pictures } from "../pictures.mjs";
 
@@ -155,6 +155,8 @@ class Glimpse {
   of(/** @type {Machine} */ machine) {
     const { processor } = this;
     const { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core } = machine.processor;
+    if (next > INTERRUPT) return machine.panel.lamps; // a data break, which only its device can go on with
+    Object.assign(processor.extension, machine.processor.extension);
     Object.assign(processor, { lac, pc, ma, mb, ir, state, next, sr, ion, protect, run, core, _core: core, ion_delayed: 0 });
     for (let cycles = Math.floor(Math.random() * 3); cycles && processor.run; cycles--) {
       processor.cycle();

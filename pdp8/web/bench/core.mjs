@@ -11,12 +11,18 @@ const CELL = html`<td><input type="text" maxlength="4" inputmode="numeric" data-
 export class Core {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    const pages = Array.from({ length: 0o40 }, (_, page) => new Option(octal(page * PAGE), String(page), page === 1, page === 1));
-    find("page").replaceChildren(...pages);
+    this.#offer(1);
     put(find("words"), Array(PAGE / WIDE).fill(html`<tr><th scope="row"></th>${Array(WIDE).fill(CELL)}</tr>`));
     this.heads = [...find("words").querySelectorAll("th")];
     this.cells = [...find("words").querySelectorAll("input")];
     this.turn();
+  }
+
+  /** Offer all pages of the machine's core, with one chosen. */
+  #offer(/** @type {number} */ chosen) {
+    this.words = this.bench.machine.memory;
+    const pages = Array.from({ length: this.words / PAGE }, (_, page) => new Option(octal(page * PAGE), String(page), page === chosen, page === chosen));
+    find("page").replaceChildren(...pages);
   }
 
   /** Turn to the page that is chosen. */
@@ -44,7 +50,11 @@ export class Core {
 
   write() {
     if (find("debugger").hidden) return;
-    const { core } = this.bench.machine.processor;
+    const { memory, processor: { core } } = this.bench.machine;
+    if (memory !== this.words) {
+      this.#offer(Math.min(this.first / PAGE, memory / PAGE - 1));
+      this.turn();
+    }
     this.cells.forEach((cell, index) => this.#word(cell, index, core[this.first + index]));
   }
 

@@ -8,6 +8,7 @@ import { embed } from "./alone.mjs";
 import { Apart, serve } from "./apart.mjs";
 import { booted } from "./boot.mjs";
 import { Core } from "./core.mjs";
+import { Drives } from "./drives.mjs";
 import { Editor } from "./editor.mjs";
 import { Exercises } from "./exercises.mjs";
 import { located, marks } from "./marker.mjs";
@@ -22,7 +23,7 @@ import { Teletype } from "./teletype.mjs";
 import { Time } from "./time.mjs";
 import { rove } from "./wiring.mjs";
 
-const PANES = { switches: Switches, teletype: Teletype, registers: Registers, core: Core, mill: Mill, editor: Editor, exercises: Exercises, parts: Parts, time: Time };
+const PANES = { switches: Switches, teletype: Teletype, drives: Drives, registers: Registers, core: Core, mill: Mill, editor: Editor, exercises: Exercises, parts: Parts, time: Time };
 
 /** Lay the desk, piece by piece. */
 export function* lay(/** @type {Bench} */ bench) {

@@ -7,7 +7,6 @@
 import * as rim from "../../../tapes/rim.mjs";
 import { characters } from "../../../pal/source.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
-import { restore, save } from "../../computer/past/state.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { bytes, dict } from "../translator/runtime.mjs";
 import { assembled, checked, here } from "../findings.mjs";
@@ -388,9 +387,9 @@ export class Editor {
     const { name, tape } = this.#stopped();
     const { bench, bench: { machine, record: { afternoon: { read } } } } = this;
     try {
-      const { state, said } = await bench.apart.ask("booted", [save(machine), read["bin.rim"], tape, name], SECONDS);
+      const { state, said } = await bench.apart.ask("booted", [bench.drives.bare(machine), read["bin.rim"], tape, name], SECONDS);
       if (machine !== bench.machine) return; // another has come meanwhile
-      machine.put(restore(state).values());
+      bench.drives.put(state);
       bench.why = said;
       this.#ready();
     } catch (/** @type {any} */ error) {

@@ -2,7 +2,7 @@
 //
 //     MA  MB  AC  a row of twelve lamps each        IR, states        twelve rockers        eight keys
 //
-// Left out: the field switches, the lock. EMA, PARITY and the states of the data break have their lamps, and never light.
+// Left out: the field switches, the lock. PARITY has its lamp, and never lights.
 //
 // Source: PDP-8/L Users Handbook, chapter 2 (console). Measures and colours: docs/emulated.md.
 
@@ -19,7 +19,7 @@ const HIGH = 1.75; // of a switch with its legend
 const LEAST = 9; // pixels of a letter, if there is room
 const bit = (/** @type {number} */ index) => 2.75 + index * 0.68 + Math.floor(index / 3) * 0.2;
 const key = (/** @type {number} */ index) => 12.05 + index * 0.8;
-const LIT = [...LAMPS.items()].flatMap(([field]) => lamps(field));
+const LIT = [...[...LAMPS.items()].flatMap(([field]) => lamps(field)), ["ema", 0, 1.7, 2.3]];
 
 /** The lamps of a field of Panel.lamps: [field, bit, x, y]. */
 function lamps(/** @type {string} */ field) {
@@ -144,7 +144,7 @@ export function drawPanel(/** @type {Canvas} */ c) {
     const [[, , x, y]] = lamps(field);
     words(c, NAMES[field] ?? field.toUpperCase(), x + 0.26, y + 0.075, 0.21, { least: LEAST });
   }
-  for (const [, , x, y] of [...LIT, ["ema", 0, 1.7, 2.3]]) socket(c, x, y);
+  for (const [, , x, y] of LIT) socket(c, x, y);
   words(c, "SWITCH REGISTER", 2.5, 6.05, 0.19, { colour: "#c6b9a2", least: LEAST });
   SWITCHES.forEach(({ x, w }, index) => {
     const name = index < 12 ? [String(index)] : KEYS[index - 12].toUpperCase().split(" ");

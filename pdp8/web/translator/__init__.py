@@ -40,7 +40,7 @@ MODULES = {
     "pdp8.computer.dectape": "*",
     "pdp8.computer.speed": "engine piece waiting",
     "pdp8.computer.past": "history rewind state",
-    "pdp8.computer.use": "ending goals keys operator program trace",
+    "pdp8.computer.use": "bootstrap ending goals keys operator program trace",
     "pdp8.replay": "day script",
     "pdp8.lessons": "answer diagnosis drill evidence exercise hints marking minute page scores trial values"
     " where",

@@ -59,6 +59,12 @@ ASSEMBLED = f"{WRITTEN} {EDITOR}.assemble(); {P}.core.fill(0);"
 WRONG = written("*200", " JMP X", "$")
 LOADED = f"{STAND} {ASSEMBLED} {EDITOR}.load(); {opened('debugger')}"
 ALL = "document.querySelector('main.one .alone .enlarge')?.click();"
+DRIVES = "workbench.drives.control.drives"
+REEL = (
+    "document.querySelector('#drives').open = true; for (const unit of [0, 1])"
+    " if (!workbench.drives.control?.drives[unit].image)"
+    " workbench.drives.mount(`${unit}.tu56`, new Uint8Array(380292));"
+)
 CLOSE = "document.querySelectorAll('dialog').forEach((box) => box.close());"
 ROOM = f"{CLOSE} if (!workbench.room.open) workbench.enter();"
 TAKEN = f"{ROOM} if (!workbench.room.live) workbench.room.take();"
@@ -117,6 +123,11 @@ CONTROLS = {
     "#pc8 summary": Control(of("#pc8", "open")),
     "#pc8-shelf": Control(f"{FAST}.reader.tape.length", f"{PC8} {FAST}.reader.remove();", "c"),
     "#pc8-tear": Control(f"{FAST}.punch.frames.length", f"{PC8} {FAST}.punch.frames.append(1);"),
+    "#drives summary": Control(of("#drives", "open")),
+    "#boot-reel": Control(f"{P}.run", f"{REEL} {P}.run = 0;"),
+    "[data-change='drives.lock']": Control(f"{DRIVES}.map((drive) => drive.locked)", REEL, "Space"),
+    "[data-click='drives.save']": Control("window.saved", REEL + SAVED),
+    "[data-click='drives.takeOff']": Control(f"{DRIVES}.map((drive) => drive.image === null)", REEL),
     "#punch-on": Control(f"{TTY}.punch.on"),
     "#tear": Control(f"{TTY}.punch.frames.length", PUNCHED),
     "#store": Control("window.saved", PUNCHED + SAVED),
@@ -217,7 +228,7 @@ CONTROLS = {
 }
 
 
-_ALL = f"workbench.enter(); workbench.room.leave(); {CUT} {LOADED} {WRONG} {OPEN}"
+_ALL = f"workbench.enter(); workbench.room.leave(); {REEL} {CUT} {LOADED} {WRONG} {OPEN}"
 """Everything that can be there is there: a listing, messages, blocks, the card."""
 _OF_A_FAMILY = 12
 """How many are tried of those that are alike: all the switches, some of the words of core."""

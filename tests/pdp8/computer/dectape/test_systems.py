@@ -16,7 +16,7 @@ from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
-from pdp8.reels import boot
+from pdp8.computer.use.bootstrap import boot
 from tapes.dectape import decode
 from tests.pdp8.computer.hardware.test_simh import SIMH
 

@@ -11,7 +11,7 @@ from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
-from pdp8.reels import boot
+from pdp8.computer.use.bootstrap import boot
 from tapes.dectape import WORDS
 from tests.pdp8.computer.bench import core
 from tests.pdp8.computer.dectape.reel import machine, reel

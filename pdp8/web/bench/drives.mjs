@@ -1,0 +1,148 @@
+// DECtape on the desk: a reel that is dropped on the page is mounted, and its reels turn as the tape moves.
+//
+// With the first one a TC08 and a second field of core are fitted, as in a PDP-8/L with an MC8/L; so the page's machine stays
+// one of 4K for whoever brings no reel. A file is not written: Save gives what the program has made of the reel.
+
+import { boot } from "../../computer/use/bootstrap.mjs";
+import { TC08 } from "../../computer/dectape/tc08.mjs";
+import { BLOCK_LINES, END_ZONE, LINE, LINES, STOPPED } from "../../computer/dectape/tu55.mjs";
+import { one_of_each } from "../../computer/hardware/devices.mjs";
+import { FIELD } from "../../computer/hardware/extension.mjs";
+import { Machine } from "../../computer/machine.mjs";
+import { restore, save } from "../../computer/past/state.mjs";
+import { BLOCKS, decode, is_image } from "../../../tapes/dectape.mjs";
+import { html, put } from "../html.mjs";
+import { find, octal } from "../written.mjs";
+
+const UNITS = [0, 1];
+const TURNS = 180; // of a full reel for the whole tape
+const FULL = 9, HUB = 4; // radii of a reel with the whole tape, and with none
+/** @type {(on: number) => number} The radius of a reel that has a part of the tape, 0 to 1. */
+const radius = (on) => Math.sqrt(HUB ** 2 + on * (FULL ** 2 - HUB ** 2));
+
+export class Drives {
+  constructor(/** @type {Bench} */ bench) {
+    this.bench = bench;
+    /** @type {string[]} */ this.names = [];
+    put(find("reels"), UNITS.map((unit) => html`<div class="drive" role="group" aria-label="Drive ${unit}" hidden>
+      <svg viewBox="0 0 40 20" aria-hidden="true">${[10, 30].map((x) => html`<g transform="translate(${x} 10)"><circle class="tape"/><path d="M-3.5 0h7M0-3.5v7" class="spokes"/></g>`)}</svg>
+      <span class="name"></span>
+      <label class="check"><input data-change="drives.lock" type="checkbox" value="${unit}"> write lock</label>
+      <button data-click="drives.save" class="text" value="${unit}" title="The reel as it is now, as a file">Save the reel</button>
+      <button data-click="drives.takeOff" class="text" value="${unit}">Take it off</button></div>`));
+    this.units = [...find("reels").children];
+  }
+
+  /** The control of this page's machine, if it has one. @returns {TC08 | undefined} */
+  get control() {
+    return this.bench.machine.devices.find((each) => each instanceof TC08);
+  }
+
+  /** Whether a file is a reel. */
+  takes(/** @type {string} */ name, /** @type {Bytes} */ frames) {
+    return /\.(tu56|dt8)$/i.test(name) || is_image(frames);
+  }
+
+  /** Mount a reel on the first drive that is free, or on the last one. Throws for what is none. */
+  mount(/** @type {string} */ name, /** @type {Bytes} */ frames) {
+    const [image] = decode(frames);
+    const { bench } = this;
+    if (!this.control) this.#fit();
+    const { drives } = /** @type {TC08} */ (this.control);
+    const unit = UNITS.find((each) => !drives[each].image) ?? UNITS.length - 1;
+    this.names[unit] = name;
+    bench.touch(() => drives[unit].mount(image));
+    bench.remember(); // no step leads back to another reel
+    find("drives").open = true;
+    bench.say(`${name} is on DECtape drive ${unit}; the machine has ${bench.machine.memory} words of core.${unit ? "" : " Press Boot drive 0"}`);
+  }
+
+  /** Put the machine that is there into one with 8K and a TC08. */
+  #fit() {
+    const { bench, bench: { machine } } = this;
+    bench.afternoon.takeOver();
+    const values = bench.machine.values();
+    const made = new Machine([...one_of_each(), new TC08()], Math.max(machine.memory, 2 * FIELD));
+    values.delete("core");
+    made.put(values);
+    machine.processor.core.forEach((word, address) => made.processor.deposit(address, word));
+    made.watch.breakpoints = machine.watch.breakpoints;
+    bench.machine = made;
+  }
+
+  /** A machine of a saved state, which may have a TC08 with reels that are here. */
+  restored(/** @type {string} */ state) {
+    const here = this.control?.drives.flatMap(({ image }) => image ?? []) ?? [];
+    return restore(state, [], here, [...one_of_each(), new TC08()]);
+  }
+
+  /** Let the machine be as a state of it says that has no reels; those that are here stay as they are. */
+  put(/** @type {string} */ state) {
+    const values = this.restored(state).values();
+    for (const name of [...values.keys()]) if (name.includes(" drive")) values.delete(name);
+    this.bench.machine.put(values);
+  }
+
+  /** The state of a machine without its reels, which are too large to be kept. */
+  bare(/** @type {Machine} */ machine) {
+    const copy = this.bench.like(machine);
+    for (const device of copy.devices) if (device instanceof TC08) for (const drive of device.drives) drive.mount(null);
+    return save(copy);
+  }
+
+  /** Toggle in the bootstrap of drive 0, and press START. */
+  boot() {
+    this.bench.touch((machine) => boot(machine));
+    find("paper").focus();
+  }
+
+  lock(/** @type {HTMLInputElement} */ { checked, value }) {
+    this.bench.touch(() => (this.#drive(value).locked = Number(checked)));
+  }
+
+  save(/** @type {HTMLInputElement} */ { value }) {
+    const image = this.#drive(value).written();
+    if (image) this.bench.download(this.names[Number(value)], image.content());
+  }
+
+  takeOff(/** @type {HTMLInputElement} */ { value }) {
+    this.bench.touch(() => this.#drive(value).mount(null));
+    this.bench.remember();
+  }
+
+  #drive(/** @type {string} */ unit) {
+    return /** @type {TC08} */ (this.control).drives[Number(unit)];
+  }
+
+  /** How many blocks were written and not saved in a file. */
+  get changed() {
+    return this.control?.drives.reduce((sum, { blocks }) => sum + blocks.length, 0) ?? 0;
+  }
+
+  show() {
+    const { drives = [] } = this.control ?? {};
+    const { clock } = this.bench.machine.processor;
+    find("boot-reel").disabled = !drives[0]?.image;
+    this.units.forEach((row, unit) => {
+      const drive = drives[unit];
+      row.hidden = !drive?.image;
+      if (!row.hidden) this.#turn(row, drive, unit, clock);
+    });
+  }
+
+  #turn(/** @type {HTMLElement} */ row, /** @type {import("../../computer/dectape/tu55.mjs").Transport} */ drive, /** @type {number} */ unit, /** @type {number} */ clock) {
+    const line = drive.position(clock) / LINE;
+    const part = line / LINES;
+    row.querySelectorAll("g").forEach((reel, right) => {
+      const size = radius(right ? part : 1 - part);
+      reel.setAttribute("transform", `translate(${right ? 30 : 10} 10) rotate(${(360 * TURNS * part * FULL) / size})`);
+      reel.querySelector("circle").setAttribute("r", size.toFixed(2));
+    });
+    const block = Math.floor((line - END_ZONE) / BLOCK_LINES);
+    const place = block < 0 || block >= BLOCKS ? "end zone" : `block ${octal(block)}`;
+    const moves = drive.phase === STOPPED ? "at rest" : drive.reverse ? "moves back" : "moves on";
+    const written = drive.blocks.length ? `, ${drive.blocks.length} blocks written` : "";
+    this.bench.writer.text(row.querySelector(".name"), `${unit}: ${this.names[unit] ?? "a reel"}, ${place}, ${moves}${written}`);
+    row.querySelector("input").checked = Boolean(drive.locked);
+  }
+}

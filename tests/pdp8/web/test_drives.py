@@ -1,0 +1,66 @@
+"""DECtape in the page: a reel that is dropped is mounted, boots as in Python to the tick, and is saved."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from pdp8.computer.use.bootstrap import boot
+from tapes.dectape import decode
+from tests.pdp8.computer.dectape import reel
+from tests.pdp8.web.browsing import DESK, Browser, click, until, visit
+
+P = "workbench.machine.processor"
+SYSTEM = Path(os.environ.get("PDP8_OS8", "")) / "ps8.tu56"
+
+
+def test_a_reel_boots_in_the_ticks_of_python(browser: Browser, file: Path, tmp_path: Path) -> None:
+    made, _ = reel.machine(0o20000)
+    boot(made)
+    made.run(10)
+    assert made.teletype.printer.frames == b"\xcf\xcb"
+    with visit(browser, file.as_uri() + DESK) as page:
+        assert page.evaluate("workbench.machine.memory") == 0o10000
+        page.set_input_files("#file", reel.file(tmp_path / "own.tu56"))
+        until(page, "workbench.why.includes('Boot drive 0')")
+        click(page, "#boot-reel")
+        until(page, "workbench.why.startsWith('HLT')")
+        assert page.locator("#paper").inner_text().strip() == "OK"
+        assert page.evaluate(f"[{P}.clock, {P}.pc, {P}.lac]") == [
+            made.processor.clock,
+            made.processor.pc,
+            made.processor.lac,
+        ]
+        row = page.get_by_role("group", name="Drive 0")
+        assert row.inner_text().startswith("0: own.tu56, block 00")
+        page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
+        with page.expect_download() as saved:
+            row.get_by_role("button", name="Save the reel").click()
+        image, _ = decode(Path(saved.value.path()).read_bytes())
+        assert [image.words[129 * 5 + at] for at in (0, 1, 2)] == [5, 0o1234, 5]
+        page.reload()
+        until(page, "!!window.workbench?.ready")
+        assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]
+        assert row.is_hidden()  # a reel is too large to be kept
+
+
+def test_a_file_that_is_no_reel_changes_nothing(browser: Browser, file: Path, tmp_path: Path) -> None:
+    wrong = tmp_path / "wrong.tu56"
+    wrong.write_bytes(bytes(1000))
+    with visit(browser, file.as_uri() + DESK) as page:
+        page.set_input_files("#file", wrong)
+        until(page, "workbench.why.startsWith('wrong.tu56: 1,000 bytes; a DECtape image has')")
+        assert page.evaluate("[workbench.machine.memory, workbench.machine.devices.length]") == [0o10000, 2]
+
+
+@pytest.mark.skipif(not SYSTEM.exists(), reason="PDP8_OS8=FOLDER names the folder with ps8.tu56")
+def test_ps8_answers(browser: Browser, file: Path) -> None:
+    with visit(browser, file.as_uri() + DESK) as page:
+        page.set_input_files("#file", SYSTEM)
+        until(page, "document.getElementById('reels').textContent.includes('ps8.tu56')")
+        click(page, "#boot-reel")
+        until(page, "workbench.teletype.paper.lines.at(-1) === '.'")
+        page.wait_for_timeout(1000)  # a key that comes while the line feed is printed is lost, as it was
+        page.keyboard.type("R PIP", delay=200)
+        page.keyboard.press("Enter")
+        until(page, "workbench.teletype.paper.lines.at(-1) === '*'")
