@@ -52,7 +52,9 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
     status, out, said = call("pdp8 monitor -", "\n".join(lines).encode())
     assert (status, said) == (0, "")
     assert out.splitlines() == [
-        *("wrote x.state", "replaced x.state", "wrote x.asc: no frames", "x.asc: no frames"),
+        "wrote x.state",
+        "restored; 0.000000 s; next 0000  0000          AND 0000",
+        *("replaced x.state", "wrote x.asc: no frames", "x.asc: no frames"),
         "replaced x.asc: no frames",
     ]
 
