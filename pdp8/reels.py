@@ -71,7 +71,7 @@ class Reels:
 
     def said(self, unit: int) -> str:
         """Say how many blocks were written."""
-        return f"drive {unit}: {counted(self.changed(unit), 'blocks')} of {self.names[unit]} were written"
+        return f"drive {unit}: {counted(self.changed(unit), 'blocks')} of {self.names[unit]} changed"
 
     def save(self, unit: int, name: str) -> str:
         """Save a reel as it is now; return what to say of it. Raises WorkError, and the reel stays."""
@@ -102,7 +102,7 @@ class Reels:
         now = self.discs.content if self.discs else self.discs_kept
         pairs = zip(now[::2], now[1::2], self.discs_kept[::2], self.discs_kept[1::2], strict=False)
         words = sum((low, high) != (before, above) for low, high, before, above in pairs)
-        return f"df: {counted(words, 'words')} of {self.discs_name} were written" if words else ""
+        return f"df: {counted(words, 'words')} of {self.discs_name} changed" if words else ""
 
     def save_discs(self, name: str) -> str:
         """Save the discs as they are now; return what to say of it. Raises WorkError."""

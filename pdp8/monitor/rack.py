@@ -136,7 +136,7 @@ def show(monitor: Monitor) -> None:
             written = f", {counted(monitor.reels.changed(unit), 'blocks')} written" if drive.blocks else ""
             monitor.say(f"dt{unit}  {monitor.reels.names[unit]}{locked}{written}")
     if monitor.reels.discs:
-        monitor.say(f"df   {monitor.reels.said_of_discs() or monitor.reels.discs_name}")
+        monitor.say(f"df   {monitor.reels.discs_name}{', changed' if monitor.reels.said_of_discs() else ''}")
 
 
 def leave(monitor: Monitor) -> None:

@@ -160,7 +160,7 @@ def test_the_commands_fill_and_save_a_disk_and_a_printer(call: Call, tmp_path: P
     assert (tmp_path / "after").read_bytes()[10:14] == b"\x49\0\x49\0"
     assert (tmp_path / "out.txt").read_text() == "I"
     said = call("pdp8 run prog.pal --disk df32=disk --printer out.txt")[2].splitlines()
-    assert said[1] == "pdp8 run: df: 1 word of disk were written, and not saved: wrote disk-changed"
+    assert said[1] == "pdp8 run: df: 1 word of disk changed, and not saved: wrote disk-changed"
     assert (tmp_path / "disk-changed").read_bytes() == (tmp_path / "after").read_bytes()
     assert "not saved" not in call("pdp8 run prog.pal --disk df32=after --printer out.txt")[2]
     assert call("pdp8 run prog.pal --disk rk05=disk")[0] == 2

@@ -154,12 +154,12 @@ def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
         "d 300 0301 0007",
     )
     do(monitor, "d 7750 7777 0277", "go 200", "wait 1", "show", "detach lpt")
-    assert said[-2:] == ["df   df: 1 word of discs were written", "wrote text"]
+    assert said[-2:] == ["df   discs, changed", "wrote text"]
     assert Path("text").read_text() == "A"
-    with pytest.raises(MonitorError, match="df: 1 word of discs were written; detach df FILE saves them"):
+    with pytest.raises(MonitorError, match="df: 1 word of discs changed; detach df FILE saves them"):
         do(monitor, "detach df")
     rack.leave(monitor)
-    assert said[-1] == "df: 1 word of discs were written, and not saved: wrote discs-changed"
+    assert said[-1] == "df: 1 word of discs changed, and not saved: wrote discs-changed"
     assert Path("discs-changed").read_bytes()[0o310 * 2 :][:2] == b"\xc1\0"
     do(monitor, "detach df after")
     assert Path("after").read_bytes() == Path("discs-changed").read_bytes()
