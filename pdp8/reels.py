@@ -20,6 +20,8 @@ from tapes.errors import WorkError, naming
 from tapes.quantities import counted
 
 UNITS = range(8)
+_LONGEST = 8 << 20
+"""Bytes: as long as the images of disks, so that one is refused by its name."""
 
 
 class Reels:
@@ -56,7 +58,7 @@ class Reels:
             if other != unit and shelf.identity(shelf.find(before)) == shelf.identity(shelf.find(name)):
                 raise WorkError(f"{name} is on drive {other}: a reel is on one drive")
         with naming(name):
-            return dectape.decode(shelf.read(name))
+            return dectape.decode(shelf.read(name, _LONGEST))
 
     def mount(self, unit: int, name: str, locked: bool = False) -> list[str]:
         """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""

@@ -91,7 +91,7 @@ def _no_image(length: int) -> str:
     lengths = " or ".join(f"{2 * BLOCKS * width:,}" for width in _WIDTHS)
     what = image(length)
     said = f"{length:,} bytes: {what}" if what else f"{length:,} bytes"
-    return f"{said}; a DECtape image has {lengths}"
+    return f"{said}; a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"
 
 
 def packed(words: "Iterable[int]") -> bytes:

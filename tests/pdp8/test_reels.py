@@ -18,7 +18,7 @@ from tests.pdp8.computer.dectape.reel import file
 
 WHOLE = dectape.blank().content()
 NO_IMAGE = {
-    b"": "0 bytes; a DECtape image has 380,292 or 377,344",
+    b"": "0 bytes; a DECtape image has 380,292 or 377,344, or ends after a block of 258",
     WHOLE[:-1]: "380,291 bytes; a DECtape image",
     WHOLE + bytes(258): "380,550 bytes; a DECtape image",
     bytes(591_872): "591,872 bytes: a DECtape of 18-bit words, of a PDP-7, 9 or 15",
@@ -106,3 +106,8 @@ def test_an_image_is_no_program(call: Call, tmp_path: Path) -> None:
         assert f"image.bin: {what}" in call("pdp8 dis image.bin")[2]
     (tmp_path / "os8.rk05").write_bytes(b"1")
     assert "os8.rk05: no program tape: a disk image" in call("pdp8 run os8.rk05")[2]
+
+
+def test_a_disk_is_refused_by_its_name(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "os8.rk05").write_bytes(bytes(3_325_952))
+    assert "an RK05 disk; no PDP-8/L had one" in call("pdp8 run --memory 8k --dectape 0=os8.rk05")[2]
