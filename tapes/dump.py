@@ -5,6 +5,7 @@
 0000000 100200 000102                         od, hexdump: words of two frames, the second before the first
 *                                             as the line above, up to the next address
 10001101 00000001      0x8d, 0x01             binary; hexadecimal with its mark
+|oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it
 """
 
 from typing import Final, NamedTuple
@@ -16,6 +17,7 @@ _OCTAL: Final = "01234567"
 _HEX: Final = "0123456789abcdefABCDEF"
 _BINARY: Final = "01"
 _FEWEST = 8
+_DRAWN = 9  # columns: eight channels and the sprocket hole
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
@@ -42,6 +44,9 @@ class _Row(NamedTuple):
 def found(content: bytes) -> Dump | None:
     """Return the dump that a file is, None if it is anything else: other text, or few numbers."""
     text = in_ascii(content)
+    drawn = _drawn(lines_of(text))
+    if len(drawn) >= _FEWEST:
+        return Dump("holes", drawn)
     in_braces = text.partition("= {")[2].partition("}")[0]  # of a program in C
     rows = [_row(line) for line in lines_of(in_braces or text)]
     rows = [row for row in rows if row.address or row.numbers]
@@ -67,6 +72,22 @@ def unspelled(content: bytes) -> tuple[bytes, str]:
         return words.tape, words.note
     dump = found(content)
     return (content, "") if dump is None else (dump.frames, dump.note)
+
+
+def _drawn(lines: list[str]) -> bytes:
+    """Return the frames that lines between two bars draw, channel 8 on the left; b"" if one is no frame."""
+    frames: list[int] = []
+    for line in lines:
+        row = line.partition("|")[2].partition("|")[0]
+        if len(row) == 2 * _DRAWN + 1:
+            row = row[1::2]
+        if not row and "|" not in line:
+            continue
+        if len(row) != _DRAWN or row[5] != "." or (row[:5] + row[6:]).strip(" oO"):
+            return b""
+        holes = [hole != " " for hole in row[:5] + row[6:]]
+        frames.append(sum(0o200 >> at for at, hole in enumerate(holes) if hole))
+    return bytes(frames)
 
 
 def _is_number(text: str, digits: str, least: int, most: int) -> bool:

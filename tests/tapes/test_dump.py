@@ -14,6 +14,7 @@ COMMANDS = [
     "od -tx1z -v",
     "od", "od -x", "od -b", "hexdump", "hexdump -C", "hexdump -b", "xxd -a",
     "pdp8 tape convert - --code bin --to octal",
+    "pdp8 tape show - --code eia", "pdp8 tape show -",
 ]  # fmt: skip
 
 
