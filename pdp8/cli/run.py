@@ -23,7 +23,7 @@ from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.use.ending import ended, explained, may_be_wrong, rerun, sentences
+from pdp8.computer.use.ending import DEPARTURES, ended, explained, may_be_wrong, rerun, sentences
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
@@ -263,7 +263,8 @@ def run(ctx: click.Context, /, options: Options) -> None:
     read as it comes.
 
     The last line says why the run stopped, where, what was read and punched, and how long it would have taken
-    in 1971. Exit status: 0 HLT or out of tape, 1 the program cannot be run or did not end, 130 interrupted.
+    in 1971. Exit status: 0 HLT or out of tape, 1 the program cannot be run, did not end or
+    left its words, 130 interrupted.
     A program that counts while it waits for its tape never ends: give it --max-time.
 
     \b
@@ -492,11 +493,11 @@ def _report(
         if not options.quiet:
             command.say(f"the reader of standard output has closed it, at {machine.pc:04o}{counts}")
         return 0
-    done = stop.reason in _DONE
+    stop = _explained(machine, stop, found, began)
+    done = stop.reason in _DONE and not any(why.what in DEPARTURES for why in stop.why)
     if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not _fed(options):
         counts += "; --keyboard types at the Teletype, --reader FILE puts a tape in"
     if not (options.quiet and done):
-        stop = _explained(machine, stop, found, began)
         still = f"still running at {stop.pc:04o} when --max-time was over"
         command.say((still if stop.reason is Reason.LIMIT else ended(stop, machine)) + counts)
         for sentence in sentences(stop, _listing(found), machine.core):

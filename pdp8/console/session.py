@@ -22,7 +22,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop
-from pdp8.computer.use.ending import ended, explained, may_be_wrong, sentences
+from pdp8.computer.use.ending import ended, told
 from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from pdp8.computer.use.trace import Listing
 from pdp8.computer.watch import instruction_at
@@ -107,11 +107,8 @@ class Session:
         """Return how a run ended, and why where something is wrong."""
         if stop.pc == self._explained_at and stop.reason in ("idle", "tape out"):
             return self.said
-        listing = self.listing
-        if may_be_wrong(stop, self.machine, listing.words):
-            stop = explained(stop, self.history, listing.words)
         self._explained_at = stop.pc
-        return ". ".join((ended(stop, self.machine), *sentences(stop, listing, self.machine.core)))
+        return told(stop, self.history, self.listing)[1]
 
     def _suit(self, took: float) -> None:
         """Choose slices that take some milliseconds of real time each."""

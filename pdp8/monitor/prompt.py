@@ -95,8 +95,6 @@ class Monitor:
 
     def explained(self, stop: Stop) -> Stop:
         """Return a stop with its reasons, where something may be wrong."""
-        if not ending.may_be_wrong(stop, self.machine, self.listing.words):
-            return stop
         return ending.explained(stop, self.history, self.listing.words)
 
     def sentences(self, stop: Stop) -> list[str]:

@@ -19,7 +19,10 @@ import { one_of_each } from "../computer/hardware/devices.mjs";
 import { Machine } from "../computer/machine.mjs";
 import { History } from "../computer/past/history.mjs";
 import { LARGEST, save } from "../computer/past/state.mjs";
+import { Stop } from "../computer/stop.mjs";
+import { told } from "../computer/use/ending.mjs";
 import { Goal } from "../computer/use/goals.mjs";
+import { Listing } from "../computer/use/trace.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
@@ -31,7 +34,7 @@ import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
 import { DESK, find, grouped, LATER, octal, readdress } from "./written.mjs";
 
-/** @type {Record<string, string>} */ const REASONS = { halt: "HLT", "stop key": "stopped", breakpoint: "breakpoint", protect: "MEM PROT kept a word from being written" };
+const OVER = ["halt", "protect", "stop key"]; // by the program, or by its operator
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
 const FARTHEST = 50_000_000; // instructions that a link may have run: two or three seconds
 const MEMORY = 32 << 20; // bytes of what can be undone
@@ -59,7 +62,8 @@ export class Bench {
     /** @type {Desk["Store"]} */ this.programs = LATER; /** @type {Desk["Session"]} */ this.session = LATER; /** @type {Desk["Switches"]} */ this.switches = LATER;
     /** @type {Desk["Tabs"]} */ this.tabs = LATER; /** @type {Desk["Teletype"]} */ this.teletype = LATER; /** @type {Desk["Time"]} */ this.time = LATER;
     /** @type {{ state: string; breakpoints: number[] }} */ this.before = LATER;
-    this.why = "";
+    this.why = ""; // what is said of how the last run ended, or of what was done
+    this.stop = new Stop("limit", 0, 0); // and the reasons
     this.ready = false; // whether the desk is there
     this.opening = /** @type {Promise<void> | null} */ (null); // and when it will be
     document.addEventListener("dragover", (event) => event.preventDefault());
@@ -137,20 +141,30 @@ export class Bench {
   }
 
   #pictured(/** @type {Lamps[] | undefined} */ samples, /** @type {string} */ reason) {
-    if (GOES_ON.includes(reason)) this.show(samples);
-    else this.ended(reason);
+    if (!GOES_ON.includes(reason)) this.ended(reason);
+    else {
+      if (reason !== "limit") this.why = this.told(reason);
+      this.show(samples);
+    }
+  }
+
+  /** What there is to say of a run that ended for this reason, in the words of every front end. */
+  told(/** @type {string} */ reason) {
+    const { pc, elapsed } = this.machine;
+    const [stop, said] = told(new Stop(reason, pc, elapsed), this.history, this.ready ? this.editor.listing : new Listing());
+    this.stop = stop;
+    return said.charAt(0).toUpperCase() + said.slice(1);
   }
 
   /** A run has ended: say why and where. */
   ended(/** @type {string} */ reason) {
     const { processor, watch } = this.machine;
     const { pc, ma } = processor;
-    const asked = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
-    const place = reason === "halt" || reason === "protect" ? ma : asked;
+    const place = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
     const { said } = this.until;
     this.aim();
     processor.run = 0;
-    this.say(said || `${REASONS[reason] ?? reason} at ${octal(place)}`);
+    this.say(said || (OVER.includes(reason) ? this.told(reason) : `${reason} at ${octal(place)}`));
   }
 
   /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */

@@ -198,12 +198,13 @@ def _before(history: History, counted: Callable[[Machine], int], count: int, wha
 def looking_back(history: History) -> Iterator[None]:
     """Let the machine go back and run on inside; restore it afterwards."""
     machine = history.machine
-    now = machine.values()
+    now, endless = machine.values(), machine.waiting.endless
     with history.going_back():
         try:
             yield
         finally:
             machine.put(now)
+            machine.waiting.endless = endless
 
 
 def come_to(history: History, end: int, places: set[int], stops: Callable[[], bool]) -> bool:

@@ -3,6 +3,7 @@
     explained(stop, history, words)      the stop with its reasons, `Stop.why`
     ended(stop, machine)                 how the run ended, in a few words
     sentences(stop, listing, core)       what its reasons mean, where, and what to try
+    told(stop, history, listing)         the stop with its reasons, and both of these as one text
     departure(machine, to, words, flags) how the next instruction leaves the words that were loaded
 
 The last turn of an endless loop is run once more and looked at. Where a program left the words that were
@@ -37,6 +38,8 @@ UNCLEARED = "flag not cleared"
 LEFT = "left"
 JUMPED = "jumped"
 INTERRUPTED = "no handler"
+DEPARTURES = (LEFT, JUMPED, INTERRUPTED)
+"""How a program leaves the words that were loaded."""
 WRITTEN = "written over"
 PROTECTED = "protected"
 LOST = "lost at the printer"
@@ -48,6 +51,8 @@ _AGAIN = 200_000_000
 """Instructions that are run again at most."""
 _SHORT = 20_000_000
 """The same where nothing shows that the program has left its words."""
+_LOADERS = 0o7600
+"""RIM and BIN may be from here on, to which a program may jump."""
 _WAITS = {0o01: READER, 0o02: PUNCH, 0o03: KEY, 0o04: PRINTER}
 
 
@@ -67,11 +72,13 @@ class _Step:
 def explained(stop: Stop, history: History, words: Mapping[int, int]) -> Stop:
     """Return the stop with its causes, the first one first; `words` are the loaded ones."""
     machine = history.machine
+    if not may_be_wrong(stop, machine, words):
+        return stop
     found: list[Why] = []
     if stop.reason is Reason.PROTECT:
         found.append(Why(PROTECTED, machine.ma))
     turn: list[_Step] = []
-    if stop.reason in (Reason.IDLE, Reason.LIMIT):
+    if stop.reason in (Reason.IDLE, Reason.LIMIT, Reason.TAPE_OUT):
         with rewind.looking_back(history):
             turn = _turn(machine)
     if words and _may_have_left(stop, turn, machine, words):
@@ -88,8 +95,8 @@ def may_be_wrong(stop: Stop, machine: Machine, words: Mapping[int, int]) -> bool
     teletype = machine.teletype
     if teletype.transmitter.lost or teletype.receiver.lost:
         return True
-    if stop.reason is Reason.HALT:
-        return bool(words) and machine.ma not in words
+    if stop.reason in (Reason.HALT, Reason.TAPE_OUT):
+        return bool(words) and (machine.ma if stop.reason is Reason.HALT else stop.pc) not in words
     return stop.reason in (Reason.IDLE, Reason.LIMIT, Reason.PROTECT)
 
 
@@ -130,6 +137,12 @@ def ended(stop: Stop, machine: Machine) -> str:
     if waits:
         return f"the program waits at {stop.pc:04o} for a flag that nothing will raise"
     return f"an endless loop at {stop.pc:04o} that nothing can end"
+
+
+def told(stop: Stop, history: History, listing: Listing) -> tuple[Stop, str]:
+    """Return the stop with its reasons, and what there is to say of it."""
+    stop, machine = explained(stop, history, listing.words), history.machine
+    return stop, ". ".join((ended(stop, machine), *sentences(stop, listing, machine.core)))
 
 
 def sentences(stop: Stop, listing: Listing, core: Core) -> list[str]:
@@ -305,14 +318,14 @@ def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
     with rewind.looking_back(history):
         history.go_to_tick(max(since, history.snapshots()[-1].clock))
         core = machine.processor.core[:]
-        own = set(words)
+        own = {*words, *(address for address in range(_LOADERS, 0o10000) if core[address])}
 
         def left() -> bool:
             if machine.ir == JMS and machine.ma == machine.pc - 1:
                 own.add(machine.ma)  # the first word of what it calls
             return machine.pc not in own and machine.core[machine.pc] == core[machine.pc]
 
-        places = {address for address in range(0o10000) if address not in words}
+        places = {address for address in range(0o10000) if address not in own}
         if not rewind.come_to(history, now, places, left):
             return []
         to, flags = machine.pc, [device.code for device in machine.bus if device.flag]

@@ -7,6 +7,7 @@
 import * as rim from "../../../tapes/rim.mjs";
 import { characters } from "../../../pal/source.mjs";
 import { PERMANENT, PSEUDO_OPERATORS } from "../../../pal/symbols.mjs";
+import { Listing } from "../../computer/use/trace.mjs";
 import { instruction_at } from "../../computer/watch.mjs";
 import { bytes, dict } from "../translator/runtime.mjs";
 import { assembled, checked, here } from "../findings.mjs";
@@ -234,7 +235,7 @@ export class Editor {
 
   #found(/** @type {Found} */ found) {
     const { places, diagnostics, more, summary } = found;
-    /** @type {Found & { name: string; text: string }} */ this.assembly = { ...found, name: this.name, text: this.text };
+    /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.name, text: this.text };
     /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();
     /** @type {Map<number, number>} */ this.lineAt = new Map(places.map(([line, address]) => /** @type {[number, number]} */ ([address, line])).reverse());
     for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
@@ -413,6 +414,14 @@ export class Editor {
     const { machine: { processor: { core } } } = this.bench;
     const words = this.assembly?.words ?? [];
     return this.area.readOnly || words.filter(([address, word]) => core[address] === word).length > words.length / 2;
+  }
+
+  /** The lines of what core holds; of nothing, if that is not what is listed. */
+  get listing() {
+    const { assembly } = this;
+    if (!this.#inCore) return new Listing();
+    assembly.listing ??= Listing.of(assembled(assembly.name, assembly.text));
+    return assembly.listing;
   }
 
   /** Show where the processor is. */

@@ -1,7 +1,6 @@
 // What can be pressed next: a sentence, and the controls that do it.
 
-import { hands, said, waits_for } from "../../computer/use/ending.mjs";
-import { Listing } from "../../computer/use/trace.mjs";
+import { hands, waits_for } from "../../computer/use/ending.mjs";
 import { find, octal } from "../written.mjs";
 
 const [START, CONT, STOP] = ["start", "cont", "stop"].map((name) => [name.toUpperCase(), `[data-key=${name}]`]);
@@ -12,20 +11,23 @@ const RIM = ["Toggle in the RIM loader", "#drill"];
   "high-speed tape": ["Choose a high-speed tape", "#pc8-shelf"],
 };
 
-/** What the machine waits for: [sentence, controls as [label, selector]].
+/** Why the machine stands or waits, and what can be pressed: [sentences, controls as [label, selector]].
  *  @returns {[string, string[][]]} */
-export function next(/** @type {Bench} */ { machine, why }) {
+export function next(/** @type {Pick<Bench, "machine" | "why" | "stop">} */ { machine, why, stop }) {
   const { processor, waiting } = machine;
-  if (!processor.run) return standing(processor, why);
+  if (!processor.run) return standing(processor, sentence(why || "The machine is stopped"));
   if (!waiting.endless) return ["The program runs.", [STOP]];
-  const waits = waits_for(machine);
-  const words = waits.map((each) => said(each, new Listing(), machine.core));
-  return [words.join(" "), [...hands(machine, waits).map((hand) => HANDS[hand]), STOP]];
+  const waits = stop.reason === "tape out" ? waits_for(machine) : stop.why;
+  return [sentence(why), [...hands(machine, waits).map((hand) => HANDS[hand]), STOP]];
+}
+
+/** Words with a full stop. */
+function sentence(/** @type {string} */ words) {
+  return /[.?!]$/.test(words) ? words : `${words}.`;
 }
 
 /** @returns {[string, string[][]]} */
-function standing(/** @type {Processor} */ { core, pc, sing_step: step }, /** @type {string} */ why) {
-  const stands = why ? `${why}.` : "The machine is stopped.";
+function standing(/** @type {Processor} */ { core, pc, sing_step: step }, /** @type {string} */ stands) {
   if (!core.some((word) => word)) return [`${stands} Its core memory is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
   return [`${stands} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];

@@ -42,6 +42,7 @@ export class Switches {
     this.bench.afternoon.takeOver();
     const { panel, processor } = /** @type {{ panel: any; processor: Processor }} */ (this.bench.machine);
     const method = name.replace(" ", "_");
+    const ran = processor.run;
     if (name === "sing step" || name === "mem prot") {
       if (name === "sing step") awaitHand(this.bench.machine);
       panel[method] = !panel[method];
@@ -50,6 +51,7 @@ export class Switches {
     this.bench.room.answer(name);
     if (processor.run && (name === "start" || name === "cont")) this.bench.started(name);
     this.bench.touched();
+    if (ran && name === "stop") this.bench.say(this.bench.told("limit"));
   }
 
   #key(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {

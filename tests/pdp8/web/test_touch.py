@@ -228,7 +228,7 @@ def test_what_the_desk_says_next(page: Page, browser: Browser, file: Path) -> No
     def press(label: str, on: Page = page) -> None:
         on.locator("#next").get_by_role("button", name=label, exact=True).click()
 
-    waits = "It waits for a key, or a tape in the reader, at 0200 (KSF)."
+    waits = "The program waits for a key at 0200."
     waiting = ("Type a character", "Choose a tape", "STOP")
     stopped = ("START", "CONT", "Assemble and run")
     _offers(page, "Its core memory is empty.", "Assemble and run")

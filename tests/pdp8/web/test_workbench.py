@@ -186,7 +186,7 @@ def test_a_stop_says_its_reason(page: Page, speed: str) -> None:
     for kind, where, said in (
         ("address", "202", "breakpoint at 0202."),
         ("word", "204", "the word at 0204 has changed from 0000 to 7402."),
-        ("word", "777", "MEM PROT kept a word from being written at 7700."),
+        ("word", "777", "MEM PROT stopped a write at 0202. While MEM PROT is up, nothing writes into"),
     ):
         page.evaluate("workbench.machine.load([[0o204, 0]]); workbench.machine.panel.load_address(0o200);")
         page.evaluate("workbench.machine.processor.lac = 0")
@@ -204,12 +204,12 @@ def test_a_wait_names_what_is_waited_for(page: Page) -> None:
     """And offers what ends it: for the high-speed reader its list of tapes."""
     _load(page, "*200\n\t6011\n\tJMP .-1\n\tHLT\n$\n")
     click(page, "[data-key=start]")
-    _says(page, "It waits for a frame from the high-speed reader at 0200")
+    _says(page, "for a flag that nothing will raise. It waits for a frame from the high-speed reader at 0200")
     click(page, "#next button >> nth=0")
     assert page.evaluate("document.activeElement.id") == "pc8-shelf"
     _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
     click(page, "[data-key=start]")
-    _says(page, "It waits for a key, or a tape in the reader, at 0200")
+    _says(page, "The program waits for a key at 0200.")
     assert page.locator("#next button").all_inner_texts() == ["Type a character", "Choose a tape", "STOP"]
 
 

@@ -21,6 +21,7 @@ from pdp8.monitor.prompt import Monitor
 from tests.conftest import Call
 from tests.pdp8.computer.bench import machine
 from tests.pdp8.lessons import exercise, mark
+from tests.pdp8.web.node import in_node, needs_node
 
 KSF, RSF, PSF, TSF = ("6031 5200", "6011 5200", "6021 5200", "6041 5200")
 NO_CHARACTER = "no character is on its way"
@@ -120,6 +121,25 @@ def test_run_says_it(death: Death, call: Call) -> None:
     assert first.startswith(death.ended) or death.name == "key", "it has a tape, which is empty"
 
 
+def test_run_says_it_from_cold(call: Call) -> None:
+    """Where the loaders are in core, other words are run before the program stands still."""
+    said = {}
+    for name in ("nohlt", "noreturn", "jump400", "tsf"):
+        Path("x").write_text(DEATHS[name].source)
+        status, _, lines = call("pdp8 run x --boot --quiet")
+        said[name] = status, [line.removeprefix("pdp8 run: ") for line in lines.splitlines()[1:]]
+    assert said == {name: (1, DEATHS[name].said) for name in said}
+
+
+def test_the_loaders_are_loaded_too(call: Call) -> None:
+    """A jump to BIN leaves no words, nor is it the end of a program that waits for the next tape there."""
+    Path("x").write_text("*200\nCLA\nJMP I .+1\n7777\n$\n")
+    status, _, said = call("pdp8 run x --boot --quiet")
+    assert status == 1
+    (why,) = said.splitlines()[1:]
+    assert "It waits for device 01 at 7647 (RSF): no such device is fitted" in why
+
+
 @every_death
 def test_the_monitor_says_it(death: Death) -> None:
     lines: list[str] = []
@@ -161,6 +181,44 @@ def test_the_debugger_says_it(death: Death, tmp_path: Path) -> None:
     if ended is not None:
         assert debuggee.said[-len(death.said) :] == death.said or not death.said
         assert ended.description == death.ended
+
+
+_ON_THE_PAGE = """async (deaths) => {
+  const { assemble } = await import("@/pal/assembling.mjs");
+  const { Machine } = await import("@/pdp8/computer/machine.mjs");
+  const { one_of_each } = await import("@/pdp8/computer/hardware/devices.mjs");
+  const { History } = await import("@/pdp8/computer/past/history.mjs");
+  const { Stop } = await import("@/pdp8/computer/stop.mjs");
+  const { Goal } = await import("@/pdp8/computer/use/goals.mjs");
+  const { told } = await import("@/pdp8/computer/use/ending.mjs");
+  const { Listing } = await import("@/pdp8/computer/use/trace.mjs");
+  const { next } = await import("@/pdp8/web/bench/next.mjs");
+  return deaths.map(([name, also, source]) => {
+    const assembly = assemble(source);
+    const machine = new Machine(name === "rsf" ? null : one_of_each()); // on the page device 01 is fitted
+    machine.load(assembly.words);
+    machine.start(0o200);
+    const history = new History(machine);
+    machine.panel.mem_prot = also === "mem_prot";
+    if (also === "keys") machine.teletype.keyboard.press([0o310, 0o311]);
+    let reason = "limit";
+    for (let slice = 0; slice < 20 && reason === "limit"; slice++) {
+      reason = history.together(() => new Goal().run(machine, 2_000_000));
+    }
+    const [stop, why] = told(new Stop(reason, machine.pc, machine.elapsed), history, Listing.of(assembly));
+    if (reason !== "idle") machine.panel.stop();
+    return next({ machine, why, stop })[0];
+  });
+}"""
+
+
+@needs_node
+def test_the_page_says_it() -> None:
+    """Beside the keys that end it."""
+    given = [(death.name, death.also, death.source) for death in DEATHS.values()]
+    for death, said in zip(DEATHS.values(), in_node(_ON_THE_PAGE, given), strict=True):
+        ended = said.partition(". ")[0] if death.ended == "still running" else death.ended
+        assert said[1:].startswith(". ".join([ended, *death.said])[1:]), death.name
 
 
 @every_death
