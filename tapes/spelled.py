@@ -6,9 +6,11 @@
     deposits    d 200 7300 1250          deposits of a SIMH script; go, set and echo are passed over
     bits        111011000000             a line of twelve bits for each word, from 0000 or from @080 on
     frames      102 / 000 / 073          the frames of a BIN tape, octal, one a line, often without a checksum
+    intel-hex   :02010000C00E2F          Intel's records, two bytes a word, the low one first, as naken_asm's
 
 A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
-and what is between `/*` and `*/`. Intel's hexadecimal format is not read.
+and what is between `/*` and `*/`.
+In Intel's records the high byte may come first too, if the words say so.
 """
 
 from collections.abc import Callable, Mapping
@@ -200,6 +202,29 @@ def _read_frames(lines: list[list[str]], words: dict[int, int]) -> int:
     return -1
 
 
+def _read_intel_hex(lines: list[list[str]], words: dict[int, int]) -> int:
+    content: dict[int, int] = {}
+    for line in lines:
+        (record,) = [token.lower() for token in line]
+        digits = record.removeprefix(":")
+        if digits == record or len(digits) % 2 or len(digits) < 10:
+            raise ValueError
+        values = [_number(digits[at : at + 2], 16, 2, 2) for at in range(0, len(digits), 2)]
+        if sum(values) & 0o377 or len(values) != values[0] + 5:
+            raise ValueError
+        if values[3] == 0:
+            for offset, value in enumerate(values[4:-1]):
+                content[(values[1] << 8 | values[2]) + offset] = value
+        elif values[3] in (2, 4) and any(values[4:-1]):
+            raise ValueError  # beyond 4K
+    places = sorted({place >> 1 for place in content})
+    low = [content.get(2 * place, 0) | content.get(2 * place + 1, 0) << 8 for place in places]
+    high = [content.get(2 * place, 0) << 8 | content.get(2 * place + 1, 0) for place in places]
+    for place, word in zip(places, low if all(word <= 0o7777 for word in low) else high, strict=True):
+        _store(words, place, [word])
+    return -1
+
+
 def _rows(words: Mapping[int, int]) -> list[list[int]]:
     """Return the addresses in rows of eight at most."""
     rows: list[list[int]] = []
@@ -236,11 +261,22 @@ def _frames(words: Mapping[int, int]) -> list[str]:
     return [f"{frame:03o}" for frame in binary.encode(words).strip(b"\200")[:-2]]
 
 
+def _intel_hex(words: Mapping[int, int]) -> list[str]:
+    records = []
+    for row in _rows(words):
+        values = [2 * len(row), row[0] >> 7, row[0] << 1 & 0o377, 0]
+        for each in row:
+            values += [words[each] & 0o377, words[each] >> 8]
+        records.append(":" + "".join(f"{value:02x}" for value in [*values, -sum(values) & 0o377]).upper())
+    return [*records, ":00000001FF"]
+
+
 FORMATS: Final = {
     "octal-words": Format("octal addresses and words", _read_octal, _octal),
     "readmemh": Format("Verilog's $readmemh", _read_readmemh, _readmemh),
     "ep": Format("EP, entry point and hexadecimal words", _read_ep, _ep),
     "deposits": Format("deposits of a SIMH script", _read_deposits, _deposits),
     "bits": Format("lines of twelve bits", _read_bits, _bits),
+    "intel-hex": Format("Intel's hexadecimal records", _read_intel_hex, _intel_hex),
     "octal-frames": Format("octal frames, one a line", _read_frames, _frames),
 }

@@ -28,6 +28,8 @@ FORMS = {
     "EP:080\n080:EC0\n081:2A8\n082:F02\n0A8:2\n": f"{EP}; it starts at 0200",
     "0200 7300\n0201 1250\n0202 7402\n0250 0002\n": "octal addresses and words",
     "0200: 7300 1250 7402\n0250: 0002\n": "octal addresses and words",
+    ":06010000C00EA802020F70\n:020150000200AB\n:00000001FF\n": "Intel's hexadecimal records",
+    ":060100000ec002a80f0270\n:020150000002AB\n:020000040000FA\n:00000001FF\n": "Intel's hexadecimal records",
     "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
 }
 
