@@ -44,8 +44,10 @@ _HANDLED = (0o3001, 0o4001, 0o5400)
 """DCA 1, JMS 1 and JMP I 0: there is a handler."""
 _LOADERS = 0o7612
 """Where DEC's loaders begin."""
-_FITTED = (0o00, 0o01, 0o02, 0o03, 0o04, 0o10, 0o76, 0o77)
-"""Devices that a PDP-8/L may have: high-speed reader and punch, Teletype, memory parity, DECtape."""
+_FITTED = (0o00, 0o01, 0o02, 0o03, 0o04, 0o10, 0o13, 0o40, 0o41, 0o60, 0o61, 0o62, 0o66, 0o76, 0o77)
+"""Devices that a PDP-8/L may have: high-speed reader and punch, Teletype, memory parity, clock, a second
+Teletype, disk, line printer, DECtape.
+"""
 _SAME_AS = {
     **{"HALT": "HLT", "STOP": "HLT", "JUMP": "JMP", "BRA": "JMP", "GOTO": "JMP", "CALL": "JMS", "JSR": "JMS"},
     **{"ADD": "TAD", "LOAD": "TAD", "LDA": "TAD", "STORE": "DCA", "STO": "DCA", "INC": "IAC", "CLEAR": "CLA"},

@@ -76,3 +76,10 @@ def test_an_isz_skips_the_jump_back_of_its_loop_and_no_other() -> None:
                 found = noted(f"*250\n\t{use} A\n\tHLT\n*200\n\t{words}\nA,\t5\n$\n")
                 note = (6, 4, "PN06", "the program runs on from 0201 into data at 0202")
                 assert found == ([note] if use not in ("JMP", "DCA") and words in RUNS_ON.split("|") else [])
+
+
+def test_a_wait_for_a_device_that_may_be_fitted_has_no_note() -> None:
+    """One for each device of the rack; 14 is none."""
+    for device in (0o13, 0o40, 0o41, 0o60, 0o66, 0o76, 0o14):
+        found = noted(f"*200\n\tSKIPS=6001\n\tSKIPS {device << 3:o}\n\tJMP .-1\n\tHLT\n$\n")
+        assert ("PN59" in [code for _, _, code, _ in found]) == (device == 0o14), f"{device:02o}"
