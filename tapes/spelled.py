@@ -102,7 +102,7 @@ def _store(words: dict[int, int], first: int, values: list[int]) -> None:
 
 def _read_octal(lines: list[list[str]], words: dict[int, int]) -> int:
     for line in lines:
-        text = " ".join(line)
+        text = " ".join([token.removeprefix("0o") for token in line])
         marked = ":" in text or "=" in text
         for mark in (":", "=", ",", "(", ")"):
             text = text.replace(mark, " ")
@@ -152,8 +152,9 @@ def _read_ep(lines: list[list[str]], words: dict[int, int]) -> int:
 
 
 def _read_deposits(lines: list[list[str]], words: dict[int, int]) -> int:
-    for line in lines:
-        command = line[0].lower()
+    for whole in lines:
+        line = [token for token in whole if not token.startswith("-")]  # switches
+        command = line[0].lower() if line else ""
         deposits = "deposit".startswith(command)
         if not deposits and any(passed.startswith(command) for passed in _PASSED_OVER):
             continue
@@ -171,7 +172,7 @@ def _read_deposits(lines: list[list[str]], words: dict[int, int]) -> int:
 def _read_bits(lines: list[list[str]], words: dict[int, int]) -> int:
     address = 0
     for line in lines:
-        bits = "".join(line).replace("_", "")
+        bits = "".join([token.removeprefix("0b") for token in line]).replace("_", "")
         if bits.startswith("@"):
             address = _number(bits[1:], 16, 1, 4)
             continue
