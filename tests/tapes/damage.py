@@ -70,7 +70,7 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
         at = len(lead) + draw.randrange(30, len(body) - 30)
         tape = tape[:at] + tape[at + 1 if damage == "missing" else at :]
         tape = tape if damage == "missing" else tape[:at] + tape[at : at + 1] + tape[at:]
-        if code == "eia" and form == "blocks" and (at - len(lead)) % 20 < 19:
+        if code == "eia" and form == "blocks" and (damage == "missing" or (at - len(lead)) % 20 < 19):
             wrong = frozenset([at - (at - len(lead)) % 20])
     elif damage == "mixed" and code not in ("eia", "ita2"):
         other = "odd" if code == "even" else "even"
