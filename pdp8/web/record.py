@@ -99,16 +99,19 @@ def _graph(inspection: Inspection | None) -> str:
 
 def _steps(path: str) -> str:
     """Return an SVG path of M, L and Z with relative steps, which compress to half."""
-    found, x, y = [], 0, 0
+    found, x, y, last = "", 0, 0, ""
     for command, *place in re.findall(r"([ML])(-?[\d.]+) (-?[\d.]+)|(Z)", path):
         if command:
             right, down = (round(float(each) * 10) for each in place[:2])
             step = (right, down) if command == "M" else (right - x, down - y)
-            found.append(command.replace("L", "l") + " ".join(f"{each / 10:g}" for each in step))
+            found += (" " if command == last == "L" else command.replace("L", "l")) + " ".join(
+                f"{each / 10:g}" for each in step
+            )
             x, y = right, down
         else:
-            found.append("Z")
-    return "".join(found)
+            found += "Z"
+        last = command
+    return re.sub(r"(?<!\d)0\.", ".", found).replace(" -", "-")
 
 
 def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:
