@@ -14,7 +14,7 @@ def _judge(count: int, seed: int) -> None:
 
 
 def test_some_tapes() -> None:
-    _judge(80, 60)
+    _judge(200, 60)
 
 
 @pytest.mark.slow("2,000 tapes by WHOLE=1")
