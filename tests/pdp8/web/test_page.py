@@ -72,7 +72,8 @@ def test_any_instant_is_that_of_the_machine(page: Page, circle: Afternoon) -> No
         machine = follower.machine
         whole = {name: None if each == NEVER else plain(each) for name, each in state(machine).items()}
         names = {name: f"{getattr(machine, name.lower()):04o}" for name in ("AC", "MA", "MB")}
-        expected[tick] = machine.panel.lamps._asdict(), machine.sr, whole, {"L": str(machine.link), **names}
+        lit = machine.panel.lamps._asdict() | {"ema": machine.panel.ema}
+        expected[tick] = lit, machine.sr, whole, {"L": str(machine.link), **names}
     words = {line.address: line.word for line in circle.programs["eia.pal"].lines}
     for tick in random.Random(71).sample(ticks, len(ticks)):
         _go(page, tick)
