@@ -249,7 +249,7 @@ class Assembler:
         """Called with the `value` of a number that is too large, or 0 for one with an 8, a 9 or a letter."""
 
     def _see_point(self) -> None:
-        """Called for a point that an operator stands before: PAL III applies the operator twice."""
+        """Called for a point after an operator, which PAL III applies twice."""
 
     def _see_lost(self) -> None:
         """Called when an operator is not used."""

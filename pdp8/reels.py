@@ -38,10 +38,8 @@ class Reels:
 
     def look_at(self, machine: Machine) -> None:
         """Turn to the drives and discs of a machine; none where there are none."""
-        before, self.discs = (
-            self.discs,
-            next((each for each in machine.devices if isinstance(each, DF32)), None),
-        )
+        before = self.discs
+        self.discs = next((each for each in machine.devices if isinstance(each, DF32)), None)
         if self.discs and not before:
             self.discs_kept = self.discs.content
         self.drives = drives(machine.devices)

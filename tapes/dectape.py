@@ -15,6 +15,8 @@ from tapes.errors import TapeError
 BLOCKS = 1474
 WORDS = 129
 _WIDTHS = (129, 128)
+_LENGTHS = tuple(2 * BLOCKS * width for width in _WIDTHS)
+"""Bytes of a whole image."""
 _OTHERS = {
     591_872: "a DECtape of 18-bit words, of a PDP-7, 9 or 15",
     3_325_952: "an RK05 disk; no PDP-8/L had one",
@@ -29,8 +31,7 @@ _OTHERS = {
 
 def image(length: int) -> str:
     """Return what image a file of so many bytes may be, "" for none."""
-    sizes = {2 * BLOCKS * width: "a DECtape image" for width in _WIDTHS}
-    return {**sizes, **_OTHERS}.get(length, "")
+    return "a DECtape image" if length in _LENGTHS else _OTHERS.get(length, "")
 
 
 class Image:
@@ -84,11 +85,11 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
 
 def is_image(content: bytes) -> bool:
     """Whether a file is as long as a whole image."""
-    return len(content) in [2 * BLOCKS * width for width in _WIDTHS]
+    return len(content) in _LENGTHS
 
 
 def _no_image(length: int) -> str:
-    lengths = " or ".join(f"{2 * BLOCKS * width:,}" for width in _WIDTHS)
+    lengths = " or ".join(f"{each:,}" for each in _LENGTHS)
     what = image(length)
     said = f"{length:,} bytes: {what}" if what else f"{length:,} bytes"
     return f"{said}; a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"

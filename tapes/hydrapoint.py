@@ -292,21 +292,23 @@ def _check_fields(lines: list[str], text: str) -> None:
     for line, fields in zip(lines, tables, strict=True):
         place = at
         for field, (name, width) in zip(fields, FIELDS.items(), strict=False):
-            found = field.strip()
-            whole, point, decimals = found.replace(",", ".").partition(".")
-            cure = ""
-            if found.startswith("-"):
-                cure = "no length is below 0"
-            elif point and (whole + decimals).isdecimal() and name in ("x", "y"):
-                cure = f"type thousandths of an inch, {round(float(f'{whole}.{decimals}') * 1000):05}"
-            elif found.isdecimal() and len(found) != width:
-                cure = f"it has {width} digits" + f": type {'0' * (width - len(found))}{found}" * (
-                    len(found) < width
-                )
-            if cure:
-                raise TextError(f"{name} {found} in a block; {cure}", text, place)
+            if cure := _cure(name, width, field.strip()):
+                raise TextError(f"{name} {field.strip()} in a block; {cure}", text, place)
             place += len(field) + 1
         at += len(line) + 1
+
+
+def _cure(name: str, width: int, found: str) -> str:
+    """Return what to type for a field of `width` digits, "" if nothing is wrong with it."""
+    whole, point, decimals = found.replace(",", ".").partition(".")
+    if found.startswith("-"):
+        return "no length is below 0"
+    if point and (whole + decimals).isdecimal() and name in ("x", "y"):
+        return f"type thousandths of an inch, {round(float(f'{whole}.{decimals}') * 1000):05}"
+    if not found.isdecimal() or len(found) == width:
+        return ""
+    digits = f"it has {width} digits"
+    return f"{digits}: type {'0' * (width - len(found))}{found}" if len(found) < width else digits
 
 
 def _is_program(fields: list[str]) -> bool:

@@ -243,12 +243,12 @@ class Machine:
         return {"core": self.processor.core.tobytes(), **take(fields or self.fields())}
 
     def put(self, values: Values) -> None:
-        """Set the machine to `values` of its own or of another with the same devices, all or some."""
+        """Set the machine to `values` of its own or of another, all or some; further core stays as it is."""
         if "core" in values:
             words, core = array("H", values["core"]), self.processor.core
-            for address in range(self.memory if words != core else 0):
-                if words[address] != core[address]:
-                    self.processor.deposit(address, words[address])
+            for address, word in enumerate(words[: self.memory] if words != core else ()):
+                if word != core[address]:
+                    self.processor.deposit(address, word)
         put(self.fields(), values)
         self._observer = None  # it did not see how the machine came here
 

@@ -154,7 +154,7 @@ def register(name: str) -> str:
 
 def is_register(monitor: Monitor, name: str) -> bool:
     """Tell whether a name is a register's, and no symbol's of the program."""
-    return register(name) in {**REGISTERS, **EXTENSION} and name.upper() not in monitor.listing.symbols
+    return register(name) in (*REGISTERS, *EXTENSION) and name.upper() not in monitor.listing.symbols
 
 
 def registers(monitor: Monitor) -> None:

@@ -48,7 +48,7 @@ class Monitor:
         self.depth = 0
         """How many of them are being read."""
         self.goto = ""
-        """The label at which the script goes on, if it was told to."""
+        """The label to which the script jumps after this line, if any."""
         self.punching: dict[str, str] = {}
         """The names of files that were attached for what is punched."""
         self.once_running: list[Callable[[], object]] = []

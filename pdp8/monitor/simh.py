@@ -29,9 +29,14 @@ _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "
 DEVICES = "ptr, ptp, dt0 to dt7, df, lpt"
 
 
+def _kind(name: str) -> str:
+    """Return the name of a device without the number of its unit."""
+    return name.lower().rstrip("01234567")
+
+
 def _device(monitor: Monitor, name: str) -> str:
     """Return the name of a device that is here, or can be fitted. Raises MonitorError."""
-    device = name.lower().rstrip("01234567" if name.lower().startswith("dt") else "0")
+    device = _kind(name) if name.lower().startswith("dt") else name.lower().rstrip("0")
     if device in _HAS or device in rack.RACK:
         return device
     raise MonitorError(f"{name}: {rack.absent(monitor, name) or f'no device; there are {DEVICES}'}")
@@ -78,9 +83,9 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
 def take_off(monitor: Monitor, kind: str = "") -> None:
     """Write what was punched into the file that was attached for it; all of them without a name."""
     for each in [kind] if kind else list(monitor.punching):
-        printers = [device for device in monitor.machine.devices if isinstance(device, LP08)]
         if each == "lpt":
-            monitor.say(shelf.leave(monitor.punching.pop(each), printers[0].paper.encode(), "text"))
+            printer = next(device for device in monitor.machine.devices if isinstance(device, LP08))
+            monitor.say(shelf.leave(monitor.punching.pop(each), printer.paper.encode(), "text"))
             continue
         fast = each == "ptp" and monitor.machine.highspeed.fitted
         (tapes.fast_punch if fast else tapes.punch)(monitor, monitor.punching.pop(each))
@@ -129,7 +134,7 @@ def set_(monitor: Monitor, name: str, *values: str) -> None:
 def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     """Set an option as SIMH's SET does; return whether there is one of that name. Raises MonitorError."""
     name, value = name.lower(), " ".join(values).lower()
-    kind = name.rstrip("01234567")
+    kind = _kind(name)
     if name in ("throttle", "nothrottle"):
         monitor.realtime = name == "throttle"
     elif name == "cpu":
@@ -158,7 +163,7 @@ def _of_machine(monitor: Monitor, words: Sequence[str]) -> Sequence[str]:
     """Return places without SIMH's switches and its word cpu; none for registers of SIMH's devices."""
     device, *places = some([each for each in words if not _SWITCH.fullmatch(each)], "an address")
     known = debugging.is_register(monitor, device) or device.upper() in monitor.listing.symbols
-    kind = device.lower().rstrip("01234567")
+    kind = _kind(device)
     if not places or known:
         return [device, *places]
     if kind == "cpu":

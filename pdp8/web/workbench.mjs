@@ -96,17 +96,17 @@ export class Bench {
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
     this.machine = this.like(machine);
-    this.machine.watch.breakpoints = machine.watch.breakpoints;
     if (stops) this.machine.panel.stop();
     this.remember();
   }
 
-  /** A copy of a machine, with a PC8/L. */
-  like(/** @type {Machine} */ machine) {
+  /** A copy of a machine with its breakpoints, a PC8/L, `more` devices, and so many words of core. */
+  like(/** @type {Machine} */ machine, more = /** @type {Machine["devices"]} */ ([]), memory = machine.memory) {
     const devices = one_of_each(), usual = devices.map((each) => each.constructor);
     const others = machine.devices.map((each) => /** @type {new () => typeof each} */ (each.constructor)).filter((made) => !usual.includes(made));
-    const copy = new Machine([...devices, ...others.map((made) => new made())], machine.memory);
+    const copy = new Machine([...devices, ...others.map((made) => new made()), ...more], memory);
     copy.put(machine.values());
+    copy.watch.breakpoints = machine.watch.breakpoints;
     return copy;
   }
 

@@ -7,6 +7,7 @@ type Bytes = import("./pdp8/web/translator/runtime.mjs").Bytes;
 type Code = import("./tapes/code.mjs").Code;
 type Contour = ReturnType<typeof import("./pdp8/web/bench/path.mjs").contour>;
 type Diagnostic = import("./pal/diagnostics.mjs").Diagnostic;
+type Image = import("./tapes/dectape.mjs").Image;
 type Lamps = import("./pdp8/computer/hardware/panel.mjs").Lamps;
 type Coach = import("./pdp8/lessons/drill.mjs").Coach;
 type Look = import("./pdp8/lessons/minute.mjs").Look;

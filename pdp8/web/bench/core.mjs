@@ -53,7 +53,7 @@ export class Core {
     const { memory, processor: { core } } = this.bench.machine;
     if (memory !== this.words) {
       this.#offer(Math.min(this.first / PAGE, memory / PAGE - 1));
-      this.turn();
+      return this.turn();
     }
     this.cells.forEach((cell, index) => this.#word(cell, index, core[this.first + index]));
   }

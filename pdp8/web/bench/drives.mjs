@@ -6,13 +6,12 @@
 import { boot } from "../../computer/use/bootstrap.mjs";
 import { TC08 } from "../../computer/dectape/tc08.mjs";
 import { BLOCK_LINES, END_ZONE, LINE, LINES, STOPPED } from "../../computer/dectape/tu55.mjs";
-import { one_of_each } from "../../computer/hardware/devices.mjs";
 import { FIELD } from "../../computer/hardware/extension.mjs";
-import { Machine } from "../../computer/machine.mjs";
-import { restore, save } from "../../computer/past/state.mjs";
+import { save } from "../../computer/past/state.mjs";
 import { BLOCKS, decode, is_image } from "../../../tapes/dectape.mjs";
 import { html, put } from "../html.mjs";
 import { find, octal } from "../written.mjs";
+import { restored } from "./boot.mjs";
 
 const UNITS = [0, 1];
 const TURNS = 180; // of a full reel for the whole tape
@@ -59,21 +58,15 @@ export class Drives {
 
   /** Put the machine that is there into one with 8K and a TC08. */
   #fit() {
-    const { bench, bench: { machine } } = this;
+    const { bench } = this;
     bench.afternoon.takeOver();
-    const values = bench.machine.values();
-    const made = new Machine([...one_of_each(), new TC08()], Math.max(machine.memory, 2 * FIELD));
-    values.delete("core");
-    made.put(values);
-    machine.processor.core.forEach((word, address) => made.processor.deposit(address, word));
-    made.watch.breakpoints = machine.watch.breakpoints;
-    bench.machine = made;
+    const { machine } = bench;
+    bench.machine = bench.like(machine, [new TC08()], Math.max(machine.memory, 2 * FIELD));
   }
 
   /** A machine of a saved state, which may have a TC08 with reels that are here. */
   restored(/** @type {string} */ state) {
-    const here = this.control?.drives.flatMap(({ image }) => image ?? []) ?? [];
-    return restore(state, [], here, [...one_of_each(), new TC08()]);
+    return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
   }
 
   /** Let the machine be as a state of it says that has no reels; those that are here stay as they are. */
@@ -112,11 +105,6 @@ export class Drives {
 
   #drive(/** @type {string} */ unit) {
     return /** @type {TC08} */ (this.control).drives[Number(unit)];
-  }
-
-  /** How many blocks were written and not saved in a file. */
-  get changed() {
-    return this.control?.drives.reduce((sum, { blocks }) => sum + blocks.length, 0) ?? 0;
   }
 
   show() {

@@ -11,7 +11,7 @@ const RIM = ["Toggle in the RIM loader", "#drill"];
   "high-speed tape": ["Choose a high-speed tape", "#pc8-shelf"],
 };
 
-/** Why the machine stands or waits, and what can be pressed: [sentences, controls as [label, selector]].
+/** Why the machine is stopped or waits, and what can be pressed: [sentences, controls as [label, selector]].
  *  @returns {[string, string[][]]} */
 export function next(/** @type {Pick<Bench, "machine" | "why" | "stop">} */ { machine, why, stop }) {
   const { processor, waiting } = machine;
