@@ -91,5 +91,5 @@ cdef class Transmitter(Device):
     @cython.locals(has_frame=bint)
     cpdef bint step(self, int64_t time) noexcept
     cpdef int send(self) noexcept
-    cpdef int deliver(self) except -1
+    cpdef int deliver(self, int frame) except -1
     cpdef int load(self, int character, int64_t now) except -1

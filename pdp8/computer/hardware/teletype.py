@@ -496,7 +496,7 @@ class Transmitter(Device):
                 if self.ahead:
                     self.ahead -= 1
                 else:
-                    self.deliver()
+                    self.deliver(self.selected)
         self.plan()
 
     def step(self, time: int) -> bool:
@@ -528,28 +528,30 @@ class Transmitter(Device):
         if self.register == 0:
             self.free = self.start + HALF_UNIT * (2 * self.sent + 2)
 
-    def deliver(self) -> None:
-        """Let printer and punch have the frame that the selector has taken."""
+    def deliver(self, frame: int) -> None:
+        """Let printer and punch have a frame that the selector has taken."""
         try:
-            self.printer.take(self.selected)
+            self.printer.take(frame)
         finally:
-            self.punch.take(self.selected)
+            self.punch.take(frame)
+
+    def line(self) -> "Transmitter":
+        """Return a second transmitter with what is on the line, and nothing that prints or punches."""
+        line = Transmitter()
+        line.register, line.start, line.sent, line.mark = self.register, self.start, self.sent, self.mark
+        line.unit, line.began, line.selected = self.unit, self.began, self.selected
+        return line
 
     def finish(self) -> None:
-        """Finish the character on the line, as beside a halted processor; the flag keeps its time."""
-        register, mark, sent, flag, free = self.register, self.mark, self.sent, self.flag, self.free
-        unit, began, selected = self.unit, self.began, self.selected
+        """Print and punch what is on the line, as beside a halted processor; flag and line keep time."""
+        line = self.line()
         frames = 0
-        try:
-            while (time := self.next_step()) < NEVER:
-                if self.step(time):
-                    frames += 1
-                    if frames > self.ahead:
-                        self.deliver()
-        finally:
-            self.register, self.mark, self.sent, self.flag, self.free = register, mark, sent, flag, free
-            self.unit, self.began, self.selected = unit, began, selected
-            self.ahead = max(frames, self.ahead)
+        while (time := line.next_step()) < NEVER:
+            if line.step(time):
+                frames += 1
+                if frames > self.ahead:
+                    self.ahead = frames
+                    self.deliver(line.selected)
 
     def pulse(self, iop: int, ac: int, now: int) -> int:
         """TSF at IOP1; clear the flag at IOP2; load and send AC 4-11 at IOP4."""
