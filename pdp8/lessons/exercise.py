@@ -68,8 +68,8 @@ class Case:
 class Question:
     """One question of a sheet, its right answers, and the hint for a wrong one.
 
-    A number is right by its value in `unit`, within `tolerance`. A student's form has no answer: what is
-    given is neither right nor wrong.
+    A number is right by its value in `unit`, within `tolerance`; of other answers the unit may be octal.
+    A student's form has no answer: what is given is neither right nor wrong.
     """
 
     name: str

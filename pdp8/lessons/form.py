@@ -133,8 +133,17 @@ def _trial(found: dict[str, Any], where: str) -> Trial:
 def _question(given: object, where: str) -> Question:
     found = table(given, where, QUESTION)
     answer = found.pop("answer", ())
+    unit = found.get("unit", "")
+    if unit == values.OCTAL:
+        for each in answer if isinstance(answer, tuple) else [answer]:
+            if not re.fullmatch("-?[0-7]+", str(each)):
+                raise ExerciseError(
+                    f'{where}: answer: octal digits in quotes are wanted, as "-35", not {each!r}'
+                )
     if isinstance(answer, tuple):
         return Question(answer=answer, **found)
-    if (unit := found.get("unit", "")) and not values.known(unit):
-        raise ExerciseError(f"{where}: unit: {unit!r} is not one of {', '.join(values.UNITS)}")
+    if unit and not values.known(unit):
+        raise ExerciseError(
+            f"{where}: unit: {unit!r} is not one of {', '.join([*values.UNITS, values.OCTAL])}"
+        )
     return Question(number=answer, **found)

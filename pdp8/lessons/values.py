@@ -4,6 +4,8 @@ In what way a number is written does not matter: -035, minus 35 and `-35 octal`,
 are -35; 2 4 6 8 is 2,4,6,8. Nor do the articles and the words of the question: of `block 100`, the block.
 """
 
+from collections.abc import Sequence
+
 from pdp8.lessons.exercise import Question
 
 UNITS = {
@@ -29,7 +31,10 @@ _NUMBERS = {
 }  # fmt: skip
 """Numbers in words, and one thousandth."""
 _ORDINALS = ("st", "nd", "rd", "th")
+OCTAL = "octal"
+"""The unit of answers that are read in octal."""
 WRONG_UNIT = "The number is right; its unit is not."
+DECIMAL = "That is decimal; it is asked for in octal."
 
 
 def known(unit: str) -> bool:
@@ -41,7 +46,7 @@ def right(question: Question, given: str) -> bool:
     """Tell whether `given` answers the question."""
     if question.number is not None:
         return _is(question, given, question.number, question.tolerance)
-    return any(_same(question, given, answer) for answer in question.answer)
+    return _one_of(question, given, question.answer)
 
 
 def hint(question: Question, given: str) -> str:
@@ -55,7 +60,13 @@ def hint(question: Question, given: str) -> str:
     if question.number is not None and any(_near(question, value, question.number, question.tolerance)
                                            for value in _parted(given)[0]):  # fmt: skip
         return WRONG_UNIT
+    if question.unit == OCTAL and _one_of(question, given, [str(int(each, 8)) for each in question.answer]):
+        return DECIMAL
     return question.hint
+
+
+def _one_of(question: Question, given: str, answers: Sequence[str]) -> bool:
+    return any(_same(question, given, answer) for answer in answers)
 
 
 def _is(question: Question, given: str, number: float, tolerance: float) -> bool:
@@ -121,7 +132,7 @@ def _same(question: Question, given: str, answer: str) -> bool:
 
 def _known(question: Question) -> list[str]:
     """Return the words that an answer may contain in addition."""
-    return [word for word in [*_words(question.ask), *_FILLERS] if word != "not"]
+    return [word for word in [*_words(question.ask), *_FILLERS, question.unit] if word != "not"]
 
 
 def _plain(text: str) -> str:

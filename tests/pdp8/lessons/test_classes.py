@@ -182,6 +182,7 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many, in octal, o
         ("'1000, 357'", "1000_357", "1000357 1_000_357"),
         ("'negative'", "negative Negative_block", "positive minus"),
         ("'10, 4, 20'", "10_4_20 010,4,20", "10_20 1_04_20 10420"),
+        ("'35'\nunit='octal'", "35 035 35_octal 0o35", "29 -35 29_decimal 35_decimal"),
         ("['the same','same']", "same the_same!", "not_the_same"),
         ("'same'", "about_the_same it_is_a_same its_same are_an_same", "not_same"),
     ],
@@ -199,6 +200,12 @@ def test_a_wrong_unit_is_told() -> None:
     assert question.points == 1
     assert [values.hint(question, given) for given in ("43.2 ms", "43.2?")] == [values.WRONG_UNIT] * 2
     assert [values.hint(question, given) for given in ("27.0", "27", "28")] == ["cycles", "cycles", ""]
+
+
+def test_the_decimal_form_of_an_octal_answer_is_named() -> None:
+    (question,) = parse(f"{SHEET}answer='-35'\nunit='octal'\nhint='no'\n", "e").questions
+    assert [values.hint(question, given) for given in ("-29", "minus 29", "29", "-034")] == [
+        values.DECIMAL, values.DECIMAL, "no", "no"]  # fmt: skip
 
 
 FORK = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
