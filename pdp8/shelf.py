@@ -141,8 +141,10 @@ def read_bundled(name: str) -> bytes:
         return file.read()
 
 
-def read(name: str, most: int = LARGEST) -> bytes:
-    """The content of `name`, `-` or a bundled file; UTF-16 and more than `most` bytes raise ShelfError."""
+def read(name: str, most: int = LARGEST, wide: bool = False) -> bytes:
+    """The content of `name`, `-` or a bundled file; more than `most` bytes, and unless `wide` UTF-16, raise
+    ShelfError.
+    """
     if name == "-":
         content = sys.stdin.buffer.read(most + 1)
     else:
@@ -159,7 +161,7 @@ def read(name: str, most: int = LARGEST) -> bytes:
         image = "" if name == "-" else dectape.image(os.path.getsize(path))
         what = f"{image}, " if image else ""
         raise ShelfError(f"{called(name)}: {what}longer than {most:,} bytes, the most that is read of a file")
-    if is_utf16(content):
+    if not wide and is_utf16(content):
         raise ShelfError(
             f"{called(name)}: UTF-16, as PowerShell's > writes it; save a text as UTF-8, and let a command "
             "write its file itself: -o FILE, or --punch FILE of pdp8 run"

@@ -42,13 +42,16 @@ _STYLES = [(mark, point) for mark in ("\t", ";", "|", ", ", ",", " ") for point 
 """What separates columns, and the decimal mark; of two that read as much the first."""
 _NUMBER = {
     point: re.compile(
-        rf"[+-]?([1-9]\d{{0,2}}([{apart}'’ ]\d{{3}})+(?!\d)|\d+)?([{point}]\d*)?([ED][+-]?\d+)?",
+        rf"([+-]?(?=[{point}]?\d)(?:[1-9]\d{{0,2}}(?:[{apart}'’ ]\d{{3}})+(?!\d)|\d*)(?:[{point}]\d*)?"
+        r"(?:[ED][+-]?\d+)?)\s*([^\W\d_]+|[\"°])?",
         re.IGNORECASE,
     )
     for point, apart in (".,", ",.")
 }
-_WITH_UNIT = re.compile(r"(.*?[\d.,])\s*([^\W\d_]+|[\"°])?")
+"""A number and its unit."""
 _THOUSANDS = re.compile(r"\d[.,'’ ]\d{3}(?!\d)")
+_JOINED = re.compile(r"\d[.,;]\d")
+"""In a cell that is no number: it may be two."""
 _COMMENT = re.compile(
     r"^\s*(?://|[!%]|#(?!DIV|N/A|NV|REF|BEZUG|VALUE|WERT|NAME|NUM|ZAHL|NULL))+|\s(?:#|//)\s"
 )
@@ -56,11 +59,15 @@ _KEY = re.compile(r"\b([xyz])\"?\s*[:=]\s*", re.IGNORECASE)
 _BRACKETS = re.compile(r"[\[({]([^][(){}]*)[\])}]")
 _NAMED = re.compile(r"^\s*[a-z_]\w*\s+(?=[-+.\d])", re.IGNORECASE)
 _TITLE = re.compile(r"[\"'*;\s]*(?!nan|inf)[^\W\d_]", re.IGNORECASE)
+_PLAIN = str.maketrans({"\u2212": "-", "\u00a0": " ", "\u202f": " ", "\ufeff": None, "\x1a": None})
 _OTHERS = {
-    b"PK": "a workbook: save its sheet as CSV",
-    b"<": "XML or SVG: export the points as CSV",
-    b"%PDF": "a PDF: export the points as CSV",
+    rb"PK": "a workbook: save its sheet as CSV",
+    rb"<": "XML or SVG: export the points as CSV",
+    rb"%PDF": "a PDF: export the points as CSV",
+    rb"0\s*\r?\n\s*SECTION": "a DXF drawing: export the points as CSV",
 }
+_LISTED = 10
+"""Points at least in each of two lists (Lednicer's airfoils), the numbers of which are above them."""
 _AXIS = re.compile("coord(inate)?s?|pos(ition)?|value|axis|wert|achse")
 _X_NAMES, _Y_NAMES, _ANGLES, _RADII = (
     {"x", "rechts", "easting"},
@@ -77,15 +84,18 @@ class Points(NamedTuple):
     notes: list[str]
 
 
-class _Line(NamedTuple):
+class _Row(NamedTuple):
+    """A line, or one of the points in it: its columns, and the number and unit of each that is a number."""
+
     number: int
     text: str
-    comment: bool = False
+    comment: bool
+    cells: list[str] = []  # noqa: RUF012  # never changed
+    values: list[tuple[float, str] | None] = []  # noqa: RUF012
 
-
-class _Row(NamedTuple):
-    line: _Line
-    cells: list[str]
+    @property
+    def numbers(self) -> int:
+        return len(self.values) - self.values.count(None)
 
     @property
     def names(self) -> list[set[str]]:
@@ -94,7 +104,7 @@ class _Row(NamedTuple):
 
     def error(self, said: str) -> WorkError:
         """Return an error in this line."""
-        return WorkError(f"line {self.line.number}: {said}")
+        return WorkError(f"line {self.number}: {said}")
 
 
 def read(content: bytes, mm: bool = False) -> Points:
@@ -103,42 +113,41 @@ def read(content: bytes, mm: bool = False) -> Points:
     given = next((line.text[4:5] for line in lines if line.text.lower().startswith("sep=")), "")
     lines = [line for line in lines if not line.text.lower().startswith("sep=")]
     styles = [style for style in _STYLES if given in ("", style[0])] or [(given, point) for point in ".,"]
-    mark, point = max(styles, key=lambda style: _fits(lines, *style))
-    return _Table([row for line in lines for row in _rows(line, mark, point)], mark, point).points(mm)
+    tables = ([row for line in lines for row in _rows(line, *style)] for style in styles)
+    best = max(zip(styles, tables, strict=True), key=lambda each: _fit(each[1], each[0][1]))
+    return _Table(best[1], best[0][0]).points(mm)
 
 
 def _text(content: bytes) -> str:
     for begin, what in _OTHERS.items():
-        if content.lstrip().startswith(begin):
+        if re.match(begin, content.lstrip()):
             raise WorkError(f"it is {what}")
-    if re.match(rb"\s*0\s*\r?\n\s*SECTION", content):
-        raise WorkError("it is a DXF drawing: export the points as CSV")
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff")) or b"\0" in content[:8]
     for code in ("utf-16-be" if content[:1] == b"\0" else "utf-16",) if wide else ("utf-8-sig", "cp1252"):
         with suppress(UnicodeDecodeError):
-            return re.sub("[\ufeff\x1a]", "", content.decode(code)).translate(_PLAIN)
+            return content.decode(code).translate(_PLAIN)
     raise WorkError("it is no text: save it as CSV in UTF-8")
 
 
-_PLAIN = str.maketrans({"\u2212": "-", "\u00a0": " ", "\u202f": " "})
-
-
-def _line(number: int, text: str) -> Iterator[_Line]:
+def _line(number: int, text: str) -> Iterator[_Row]:
     """Yield what there is to read in a line: no comment with digits, no line of marks alone."""
     said, *rest = _COMMENT.split(text, maxsplit=1)
     comment = bool(rest) and not said.strip()
     said = rest[0] if comment else said
     if said.strip(' \t,;:|"-') and not (comment and re.search(r"\d", said)):
-        yield _Line(number, said, comment)
+        yield _Row(number, said, comment)
 
 
-def _rows(line: _Line, mark: str, point: str) -> Iterator[_Row]:
-    """Yield a row for the line, or for each pair of brackets that has two numbers or more."""
-    inside = [_cells(text, mark) for text in _BRACKETS.findall(line.text)]
-    found = [cells for cells in inside if _numbers(cells, point) > 1]
-    outside = found and _numbers(_cells(_BRACKETS.sub("", line.text), mark), point)
-    cells = found if found and not outside else [_cells(line.text, mark)]
-    yield from (_Row(line, each) for each in cells)
+def _rows(line: _Row, mark: str, point: str) -> Iterator[_Row]:
+    """Yield the line with its columns, or a row for each pair of brackets that has two numbers or more."""
+
+    def row(text: str) -> _Row:
+        cells = _cells(text, mark)
+        return line._replace(cells=cells, values=[_number(cell, point) for cell in cells])
+
+    found = [each for each in map(row, _BRACKETS.findall(line.text)) if each.numbers > 1]
+    outside = found and row(_BRACKETS.sub("", line.text)).numbers
+    yield from found if found and not outside else [row(line.text)]
 
 
 def _cells(text: str, mark: str) -> list[str]:
@@ -149,102 +158,94 @@ def _cells(text: str, mark: str) -> list[str]:
     }
     if {"x", "y"} <= values.keys():
         return [values[key] for key in sorted(values)]
-    text = _NAMED.sub("", text).strip(" ")
+    text = _NAMED.sub("", text).strip(" ").rstrip(" ,;|\t")
     if mark in (" ", ", "):
-        cells = [cell.strip('"') for cell in re.split(r"\s+" if mark == " " else r",\s+", text)]
-    else:
-        cells = [cell.strip() for cell in next(csv.reader([text], delimiter=mark, skipinitialspace=True), [])]
-    while cells and not cells[-1]:
-        cells.pop()
-    return cells
+        return [cell.strip('"') for cell in re.split(r"\s+" if mark == " " else r",\s+", text)]
+    return [cell.strip() for cell in next(csv.reader([text], delimiter=mark, skipinitialspace=True), [])]
 
 
-def _fits(lines: list[_Line], mark: str, point: str) -> tuple[int, int, int]:
-    """How many rows fit this style: two numbers or more, the usual number of columns, less bad cells."""
-    counts: Counter[int] = Counter()
-    others = thousands = 0
-    for cells in (row.cells for line in lines for row in _rows(line, mark, point)):
-        numbers = _numbers(cells, point)
-        if numbers > 1:
-            counts[len(cells)] += 1
-            others += len(cells) - numbers
-            thousands += sum(bool(_THOUSANDS.search(cell)) and point not in cell for cell in cells)
-    return max(counts.values(), default=0), -others, -thousands
+def _number(cell: str, point: str) -> tuple[float, str] | None:
+    """Return the number that a cell says, and its unit or "°"; None if it says none."""
+    found = _NUMBER[point].fullmatch(cell.strip(" '"))
+    unit = (found[2] or "").lower() if found else ""
+    if not found or unit not in {"", *_UNITS, *_TURNS}:
+        return None
+    apart = "[.'’ ]" if point == "," else "[,'’ ]"
+    number = float(re.sub(apart, "", found[1]).replace(",", ".").lower().replace("d", "e"))
+    return (number, unit) if isfinite(number) else None
+
+
+def _fit(rows: list[_Row], point: str) -> tuple[float, int, int]:
+    """How well a style fits: rows of two numbers or more and the usual columns, less what is bad in them."""
+    good = [row for row in rows if row.numbers > 1]
+    counts = Counter(len(row.cells) for row in good)
+    bad = [[cell for cell, value in zip(row.cells, row.values, strict=True) if not value] for row in good]
+    joined = sum(any(map(_JOINED.search, cells)) for cells in bad)
+    thousands = sum(bool(_THOUSANDS.search(cell)) and point not in cell for row in good for cell in row.cells)
+    return max(counts.values(), default=0) - joined / 2, -sum(map(len, bad)), -thousands
 
 
 def _words(text: str) -> list[str]:
     return re.findall(r"[^\W\d_]+", text.lower())
 
 
-def _numbers(cells: list[str], point: str) -> int:
-    return sum(_number(cell, point) is not None for cell in cells)
-
-
-def _number(cell: str, point: str) -> tuple[float, str] | None:
-    """Return the number that a cell says, and its unit or "°"; None if it says none."""
-    found = _WITH_UNIT.fullmatch(cell.strip(" '"))
-    if not found:
-        return None
-    text, unit = found[1], (found[2] or "").lower()
-    if not (re.search(r"\d", text) and _NUMBER[point].fullmatch(text)) or unit not in {"", *_UNITS, *_TURNS}:
-        return None
-    apart = "[.'’ ]" if point == "," else "[,'’ ]"
-    plain = re.sub(apart, "", text).replace(",", ".").lower().replace("d", "e")
-    return (float(plain), unit) if isfinite(float(plain)) else None
-
-
 class _Table:
     """The rows of a file, and where in them x and y are."""
 
-    def __init__(self, rows: list[_Row], mark: str, point: str) -> None:
-        self._mark, self._point = mark, point
+    def __init__(self, rows: list[_Row], mark: str) -> None:
+        self._mark = mark
         self._notes: list[str] = []
         self._unit, self._unit_line = "", 0
-        self._rows = [row for row in rows if _numbers(row.cells, point) > 1]
+        self._rows = [row for row in rows if row.numbers > 1]
         if not self._rows:
-            first = next((row.line for row in rows if re.search(r"\d", row.line.text)), None)
+            first = next((row for row in rows if re.search(r"\d", row.text)), None)
             where = f"line {first.number}: {first.text.strip()[:60]!r}: " if first else ""
             raise WorkError(f"{where}no points: x and y are needed on each line")
+        told = [value[0] for value in self._rows[0].values if value]
+        if min(told) >= _LISTED and sum(told) == len(self._rows) - 1:
+            raise self._rows[0].error("so many points in two lists: make them one, around the outline")
         self._columns = len(self._rows[0].cells)
-        self._x, self._y, self._turn = self._unnamed, self._unnamed + 1, 0.0
-        named = [row for row in rows if _numbers(row.cells, point) < 2 and not self._is_skipped(row)]
+        self._x = self._unnamed
+        self._y, self._turn = self._x + 1, 0.0
+        named = [row for row in rows if row.numbers < 2 and not self._is_skipped(row)]
         if named:
             self._find_columns(named[-1])
-        elif sum(_number(cell, point) is not None for cell in self._rows[0].cells[self._x :]) > 3:
+        elif self._rows[0].numbers - (self._x and self._rows[0].values[0] is not None) > 3:
             raise self._rows[0].error(
                 f"{self._columns} columns: which are x and y? A first line with their names, such as x,y, "
                 "says it"
             )
-        elif self._x and _number(self._rows[0].cells[0], point):
+        elif self._x and self._rows[0].values[0]:
             self._notes.append("the first column numbers the points: x and y are the next two")
 
     @property
     def _unnamed(self) -> int:
         """The column of x without a header: after one that counts, or has no number."""
-        numbers = [_number(row.cells[0], self._point) for row in self._rows]
-        values = [number[0] for number in numbers if number]
-        counts = len(values) > 2 and values[0] in (0, 1)
-        counts = counts and values == [values[0] + at for at in range(len(numbers))]
-        return int(self._columns > 2 and (counts or not numbers[0]))
+        first = [row.values[0] and row.values[0][0] for row in self._rows]
+        counts = (
+            len(first) > 2 and first[0] in (0, 1) and first == [first[0] + at for at in range(len(first))]
+        )
+        return int(self._columns > 2 and (counts or first[0] is None))
 
     def _is_skipped(self, row: _Row) -> bool:
         """Whether a row without a point is a title, of which a unit is taken; else it is a header."""
-        text, names = row.line.text.strip(), row.names
+        text, names = row.text.strip(), row.names
         for unit in (words[-1] for words in map(_words, row.cells) if words and words[-1] in _UNITS):
-            if self._unit and _UNITS[unit] != _UNITS[self._unit] and self._unit_line == row.line.number:
+            if self._unit and _UNITS[unit] != _UNITS[self._unit] and self._unit_line == row.number:
                 raise row.error(f"{text[:60]!r} has two units of length")
-            self._unit, self._unit_line = unit, row.line.number
+            self._unit, self._unit_line = unit, row.number
         alike = len(names) in (self._columns, self._columns - 1)
-        if any(name & (_X_NAMES | _ANGLES) for name in names) and (alike or not row.line.comment):
+        digits, first = re.search(r"\d", text), row.number < self._rows[0].number
+        named = any(name & (_X_NAMES | _ANGLES) for name in names)
+        if named and (alike or not row.comment) and (first or not digits):
             return False
-        digits, first = re.search(r"\d", text), row.line.number < self._rows[0].line.number
-        if first and alike and len(names) > 2 and not (digits or row.line.comment or self._mark == " "):
+        if first and alike and len(names) > 2 and not (digits or row.comment or self._mark == " "):
             return set().union(*names) <= _UNITS.keys()
         apart = self._mark in text and self._mark != " "
-        if digits and not (first and _TITLE.match(text) and not (apart and _numbers(row.cells, self._point))):
+        if digits and not (first and _TITLE.match(text) and not (apart and row.numbers)):
             raise row.error(f"{text[:60]!r} is not x and y of a point")
-        if not (row.line.comment or set(_words(text)) <= _UNITS.keys()):
-            self._notes.append(f"line {row.line.number}: {text[:40]!r} is no point: skipped")
+        if not (row.comment or set(_words(text)) <= _UNITS.keys()):
+            self._notes.append(f"line {row.number}: {text[:40]!r} is no point: skipped")
         return True
 
     def _find_columns(self, header: _Row) -> None:
@@ -257,7 +258,7 @@ class _Table:
                 unit = next((word for word in names[y[0]] if word in _TURNS), "°")
                 self._turn = _TURNS[unit] if polar else 0
                 return
-        raise header.error(f"which columns are x and y? {header.line.text!r}")
+        raise header.error(f"which columns are x and y? {header.text!r}")
 
     def points(self, mm: bool) -> Points:
         """Return the points."""
@@ -279,22 +280,17 @@ class _Table:
         pair = []
         for column, name in ((self._x, "x"), (self._y, "y")):
             cell = row.cells[column] if column < len(row.cells) else ""
-            found = _number(cell, self._point)
+            found = row.values[column] if column < len(row.cells) else None
             if found is None:
-                raise row.error(f"{cell!r} is not the {name} of a point, {row.line.text.strip()[:60]!r}")
+                raise row.error(f"{cell!r} is not the {name} of a point, {row.text.strip()[:60]!r}")
             number, unit = found
             if unit in _UNITS and unit != self._unit:
                 if self._unit and _UNITS[unit] != _UNITS[self._unit]:
                     raise row.error(f"{cell!r} is not in {self._unit}, as the others are")
-                self._unit, self._unit_line = unit, row.line.number
+                self._unit, self._unit_line = unit, row.number
             pair.append(number)
         x, y = pair
         if not self._turn:
             return x, y
         angle = y * 2 * pi / self._turn
         return x * cos(angle), x * sin(angle)
-
-
-def lines(points: Points) -> Iterator[str]:
-    """Yield the points as a part program reads them."""
-    yield from (f"{x!r},{y!r}" for x, y in points.places)

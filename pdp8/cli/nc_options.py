@@ -298,7 +298,7 @@ class Named:
         from programs import points, table
 
         name = named.expression
-        content = shelf.read(name)
+        content = shelf.read(name, wide=True)
         with naming(name):
             text = content.decode("utf-8", "replace")
             if not companion.is_one(text):

@@ -139,7 +139,7 @@ def _points(name: str, mm: bool) -> list[tuple[float, float]]:
     """Return the points of a file, inches, and say what was skipped or assumed."""
     from programs import table
 
-    found = table.read(shelf.read(name), mm)
+    found = table.read(shelf.read(name, wide=True), mm)
     command.say_of(name, found.notes)
     return found.places
 

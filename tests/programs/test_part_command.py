@@ -190,8 +190,8 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
 
 def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:
     points = "0 1\n1 2.5\n2 1\n3 4\n4 7\n5 0\n"
-    for degree, option in ((3, ""), (0, " --degree 0")):
-        done = shell(f"pdp8 part fit -{option}", points.encode())
+    for degree, option, code in ((3, "", "utf-8"), (0, " --degree 0", "utf-16")):
+        done = shell(f"pdp8 part fit -{option}", points.encode(code))
         found = least_squares.fit(read(points), degree)
         assert done.stdout.decode() == f"{found.expression}\n"
         assert done.stderr.decode() == f"at most {found.worst:.4f} in from a point\n"

@@ -66,6 +66,8 @@ FILES = {
     "numpy": lines(rows("{1:.18e},{0:.18e}"), "# y,x"),
     "a measuring machine": lines(rows("{2},{1:.4f},{0:.4f},0"), "PointID,PosY,XCoord,PosZ"),
     "a unit above": lines(rows("{0:.3f} {1:.3f} // top", 25.4), "% Units: millimeters"),
+    "Matlab": lines(rows("  {0:.4f}, {1:.4f};"), "P = [ ...") + "];\n",
+    "named E": lines(german("E{2};{0:.4f};{1:.4f}"), "Name;X;Y"),
     "a title": lines(german("{0:.4f};{1:.4f}"), "Nocken, Blatt 1", "", "X;Y"),
 }
 
@@ -109,6 +111,8 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         ("P,N,E\n1,2,3\n2,5,6\n", "line 1: which columns are x and y?"),
         ("X1;Y1;X2;Y2\n1;2;3;4\n", "line 1: which columns are x and y?"),
         ("x mm,y in\n1,2\n3,4\n", "line 1: 'x mm,y in' has two units of length"),
+        ("X;Y\n" + "1,5;0,5\n" * 9 + "1,1m7;0,5\n", "line 11: '1,1m7;0,5' is not x and y of a point"),
+        ("NACA\n 12. 12.\n\n" + " 0.5 0.1\n" * 24, "line 2: so many points in two lists"),
         ("%PDF-1.4\n1 2\n", "it is a PDF: export the points as CSV"),
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),
