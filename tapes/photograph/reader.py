@@ -42,7 +42,7 @@ LONG = 20
 """Holes of a row that is called a tape though it cannot be read."""
 _NEAR = 8
 """Steps: rows that are nearer to each other are on one strip."""
-_NO_TAPE = "no tape in the picture: "
+_NO_TAPE = "no tape is read: "
 
 
 class Frame(NamedTuple):

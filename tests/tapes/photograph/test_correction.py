@@ -116,6 +116,21 @@ def test_a_sure_frame_against_the_tape_s_parity_is_doubtful() -> None:
     assert [number for number, each, _ in reading.frames if each.doubtful] == [5]
 
 
+def test_a_code_is_not_named_by_doubtful_frames_alone() -> None:
+    content = camera.develop(np.zeros((9, 9)), Shot())
+
+    def last_line(*frames: photograph.Frame) -> str:
+        picture = correction.Picture("a.jpg", content, [Strip([*frames])])
+        return [*correction.Reading([picture]).report(underside=False)][-1]
+
+    blank = [frame(0, at) for at in range(3)]
+    torn = [frame(holes, 3 + at, why="torn") for at, holes in enumerate((0o300, 0o100))]
+    assert last_line(*blank, *torn) == "5 frames: 2 are doubtful, the others blank"
+    sure = [frame(holes, 5 + at) for at, holes in enumerate(ascii.encode("PDP-8\n"))]
+    assert last_line(*blank, *torn, *sure) != "5 frames: 2 are doubtful, the others blank"
+    assert last_line(*blank) == "3 frames: blank"
+
+
 @pytest.mark.slow("two photographs, six seconds")
 def test_a_strip_that_cannot_be_read_is_left_out_and_shown(shell: Shell, tmp_path: Path) -> None:
     """Half of the second strip is stained; alone it is refused, and the page shows it all the same."""
