@@ -13,18 +13,22 @@ from pathlib import Path
 from tests.faults.catalogue import Fault, applied
 
 HOUSE = Path(__file__).parents[2]
+CLIENTS = Path("tests/node/node_modules")
+"""What the debug client and the pages' tests in Node.js import."""
 LONGEST = 300
 """Seconds after which a test that does not end has found the fault."""
 
 
 def copy(folder: Path) -> None:
-    """Copy every file that git knows or would add."""
+    """Copy every file that git knows or would add; link what npm has installed."""
     command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "-z"]
     listed = subprocess.run(command, cwd=HOUSE, capture_output=True, text=True, check=True)
     for name in listed.stdout.split("\0"):
         if (HOUSE / name).is_file():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(HOUSE / name, folder / name)
+    if (HOUSE / CLIENTS).is_dir():
+        (folder / CLIENTS).symlink_to(HOUSE / CLIENTS)
 
 
 def first_failure(tests: list[str], fault: Fault | None = None) -> str:
