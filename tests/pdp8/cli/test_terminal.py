@@ -3,18 +3,27 @@
 import sys
 import time
 from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
 
+import click
 import pytest
 from click.testing import CliRunner
 from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
 
+from pdp8.cli import monitor
 from pdp8.cli.run import run
+from pdp8.cli.running import keyboard
 from pdp8.cli.running.feed import Feed
-from pdp8.cli.running.keyboard import characters, typed
+from pdp8.cli.running.keyboard import Terminal, characters, typed
+from pdp8.cli.shared import command
 from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
+from pdp8.monitor.prompt import Monitor
+from tests.conftest import case
 
 
 @pytest.fixture
@@ -42,10 +51,78 @@ def test_typing_waits_no_longer_than_it_may_and_not_for_a_closed_terminal(keys: 
         keys.close()
 
 
+def test_an_escape_stops_and_what_is_typed_behind_it_is_for_the_monitor(
+    keys: PipeInput, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keyboard, "create_input", lambda: keys)
+    terminal = Terminal()
+    for text, before in (("AB\x1dC", "AB"), ("\x05A", ""), ("AB\x05\x1d", "AB"), ("AB\x1d\x05", "AB")):
+        with case(text):
+            machine = Machine()
+            machine.load({0o200: 0o5200})
+            machine.start(0o200)
+            keys.send_text(text)
+            stop, left = terminal.run(machine)
+            assert (stop.reason, left, machine.panel.lamps.run) == (Reason.STOP_KEY, True, False)
+            assert machine.teletype.keyboard.waiting == sent(before)
+
+
+def test_the_page_keeps_its_column_and_a_message_has_a_line_of_its_own(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    terminal, machine, heard = Terminal(), Machine(), list[int]()
+    printer = machine.teletype.printer
+    printer.on_frame = before = heard.append
+    for _ in range(2):
+        with terminal.printing(machine):
+            for frame in b"AB\n\n\r\nC":
+                printer.on_frame(frame)
+        terminal.say("said")
+        terminal.say("more")
+        assert capsys.readouterr().out == "AB\n\x1b[3G\n\x1b[3G\r\nC\nsaid\nmore\n"
+    assert (printer.on_frame, heard) == (before, [])
+
+
+def test_the_prompt_gives_each_answer_a_line_and_takes_the_tapes_off_at_the_end(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Of a program that types A: what is behind `wait`, and before a refusal."""
+    lines = ["deposit 200 7300 1204 6046 7402 301", "attach ptp out", "go 200", "wait 0.2"]
+    more = ["go 200", "expect B 0.1", "examine 200", "quit", "echo no"]
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(command, "tell", print)
+    page = "A\nhalt; 0.000011 s; next 0204  0301          AND 0301\n"
+    refused = page + "'B' was not printed: the machine stands still; the page shows 'AA'\n"
+    for typed_in, shown in ((lines, f"{page}wrote out: 1 frame\n"), (lines + more, page + refused)):
+        terminal = Terminal()
+        monkeypatch.setattr(monitor, "_typed", partial(iter, typed_in))
+        monitor.converse(Monitor(terminal.say, Machine()), terminal)
+        found = capsys.readouterr().out
+        assert found.startswith(shown)
+        assert (tmp_path / "out").read_bytes() == b"\xc1" * shown.count("A\n")
+    assert found == shown + "0200  7300          CLA CLL\nreplaced out: 2 frames\n"
+
+
 def test_backspace_is_rubout_on_windows_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "win32")
     presses = [KeyPress(Keys.ControlH, "\b"), KeyPress("x", "x"), KeyPress(Keys.Up, "")]
     assert characters(presses) == "\x7fx"
+
+
+def test_a_feed_of_no_tapes_says_nothing_of_a_first_frame(capsys: pytest.CaptureFixture[str]) -> None:
+    """The tape that a restored machine has is at its first frame, which START has read."""
+    machine = Machine()
+    machine.load({0o200: 0o5200})
+    machine.teletype.reader.load(b"AB")
+    machine.start(0o200)
+    machine.run(seconds=0.15)
+    assert (machine.teletype.reader.position, machine.teletype.receiver.flag) == (1, 1)
+    for names, said in (([], False), (["in.asc"], True)):
+        feed = Feed(machine.teletype.reader, names)
+        for _ in range(2):
+            with click.Context(click.Command("run")):
+                feed.look(machine.ticks, False)
+        assert capsys.readouterr().err.count("the first frame") == said
 
 
 def test_windows_reads_a_tape_whole(monkeypatch: pytest.MonkeyPatch) -> None:
