@@ -1,7 +1,6 @@
 """What the tests of the pages do in a browser: open a page, wait, and work it in whichever browser it is."""
 
 import shutil
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -26,6 +25,11 @@ AXE = Path(__file__).parents[2] / "node" / "node_modules" / "axe-core" / "axe.mi
 needs_axe = pytest.mark.skipif(
     not AXE.exists(), reason="axe-core is not installed: npm ci --prefix tests/node"
 )
+
+_CHROMIUM = pytest.param("chromium", marks=pytest.mark.slow("in a browser"))
+in_chromium = pytest.mark.parametrize("page", [_CHROMIUM], indirect=True)
+"""For a test that looks where things lie, or at what a browser alone does."""
+room_in_chromium = pytest.mark.parametrize("room", [_CHROMIUM], indirect=True)
 
 
 @contextmanager
@@ -59,10 +63,11 @@ def visit(
 
 def until(page: Page, condition: str) -> None:
     """Wait until it holds; Playwright's own way evaluates a string, which the page's policy forbids."""
-    end = time.monotonic() + PATIENCE
-    while not page.evaluate(condition):
-        assert time.monotonic() < end, condition
+    for _ in range(PATIENCE * 40):
+        if page.evaluate(condition):
+            return
         page.wait_for_timeout(25)
+    raise AssertionError(condition)
 
 
 def settled(page: Page) -> None:

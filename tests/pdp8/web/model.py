@@ -1,6 +1,6 @@
 """A small model of the page: random steps by its controls, and what must be true after each.
 
-    python -m tests.pdp8.web.model 10000 [SEED]
+    python -m tests.pdp8.web.model 10000 [SEED]         in Node.js; test_model.py has it in Chromium, too
 
 The model knows nothing of the page's code: programs by name, what was punched, the switches, who leads the
 machine, what is kept. Whatever the page shows that the model does not expect is a difference.
@@ -11,12 +11,13 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from pdp8 import shelf
 from pdp8.web import method
 from tapes import binary
-from tests.pdp8.web.browsing import DESK, Page, launched, until, visit
+from tests.pdp8.web import small
+from tests.pdp8.web.browsing import DESK, Page, until
 
 NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n"
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -395,12 +396,12 @@ def main() -> None:
     from pdp8.web.workbench import page as workbench
 
     count, first = int(sys.argv[1]), int(sys.argv[2]) if sys.argv[2:] else 0
-    with tempfile.TemporaryDirectory() as folder, launched() as browser:
+    with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "pdp8.html"
         file.write_text(workbench(), encoding="utf-8")
         for seed in range(first, first + count // 200):
-            with visit(browser, file.as_uri() + DESK, viewport={"width": 1366, "height": 768}) as page:
-                print(seed, differ(page, 200, seed) or "no difference", flush=True)
+            with small.visit(file, DESK) as page:
+                print(seed, differ(cast("Page", page), 200, seed) or "no difference", flush=True)
 
 
 if __name__ == "__main__":

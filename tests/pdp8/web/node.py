@@ -2,6 +2,7 @@
 
 import atexit
 import json
+import os
 import shutil
 import subprocess
 import tempfile
@@ -46,10 +47,14 @@ _CALLED = """(calls) => Promise.all(calls.map(async ([module, name, ...given]) =
 @cache
 def modules(checked: bool = True) -> Path:
     """Return the folder where all modules stand, as long as this process lives: checked, or as shipped."""
+    if made := os.environ.get("PDP8_MODULES"):
+        return Path(made)
     folder = Path(tempfile.mkdtemp(prefix="pdp8-modules-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     with patch.dict(translator.MODULES, {"tests.pdp8.computer.lockstep": "breaker"}):
         write(folder, translator.translated(checked=checked))
+    for file in Path(__file__).parent.glob("*.mjs"):
+        shutil.copy(file, folder)
     return folder
 
 

@@ -9,7 +9,7 @@ from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
 from programs import circle
 from tests.conftest import Call
-from tests.pdp8.web.browsing import Browser, Page, click, until, visit
+from tests.pdp8.web.browsing import Browser, Page, click, in_chromium, until, visit
 
 HALT = "*200\n\tHLT\n$\n"
 
@@ -128,6 +128,7 @@ def _visited_again(page: Page) -> Page:
     return other
 
 
+@in_chromium
 def test_an_exercise_stands_beside_its_program(page: Page) -> None:
     """In the order of a class, by level. Another program is not marked for the answer."""
     click(page, "[data-opens=exercises]")
@@ -197,6 +198,7 @@ def test_the_desk_is_as_it_was_left_when_the_room_has_been_seen(page: Page) -> N
     assert other.evaluate(held) == [0o206, 0o203]
 
 
+@in_chromium
 def test_it_prints_as_listing_and_figures(page: Page) -> None:
     """The whole listing, which no window shows, what the Teletype has printed, and the path; no control."""
     click(page, "#run-it")
@@ -249,6 +251,7 @@ _TYPED = """(area) => {  // the nodes that are made anew by each of 40 keys
 }"""
 
 
+@in_chromium
 def test_a_key_draws_as_much_in_a_thousand_lines_as_in_a_hundred(page: Page) -> None:
     """Of what is found the first hundred are shown, and what is drawn is what can be seen."""
     drawn = []

@@ -5,9 +5,12 @@ import pytest
 from tests.pdp8.web.browsing import Page
 from tests.pdp8.web.model import differ
 
-
-@pytest.mark.parametrize(
-    "seed", [0, 2, *(pytest.param(n, marks=pytest.mark.rare("12 s each")) for n in (1, 3, 4))]
+_SEEDS = (
+    0,
+    *(pytest.param(n, marks=[pytest.mark.slow("more"), pytest.mark.rare("12 s each")]) for n in (1, 3, 4)),
 )
+
+
+@pytest.mark.parametrize("seed", [2, *_SEEDS])
 def test_the_page_is_as_its_model_after_any_steps(page: Page, seed: int) -> None:
     assert differ(page, 120, seed) == ""

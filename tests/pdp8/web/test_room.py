@@ -1,26 +1,28 @@
 """The room, in which the page opens: what it shows is the machine's state, and what can be done in it."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
 from pdp8.replay import Afternoon
-from tests.pdp8.web.browsing import AXE, Browser, Page, click, needs_axe, serious, until, visit
+from tests.pdp8.web.browsing import (
+    AXE,
+    Browser,
+    Page,
+    click,
+    needs_axe,
+    room_in_chromium,
+    serious,
+    until,
+    visit,
+)
 from tests.pdp8.web.follower import Follower
 
 _HD = {"width": 1366, "height": 768}
 _PROLOGUE, _PRINT, _TOGGLE, _TRANSLATE, _CUT, _MEASURE = 0, 1, 2, 5, 6, 7
 _STORY = "document.querySelector('#room .story').textContent"
 _NOW = "workbench.afternoon.script.now"
-
-
-@pytest.fixture
-def room(browser: Browser, file: Path) -> Iterator[Page]:
-    """The page as it opens, in the room."""
-    with visit(browser, file.as_uri(), viewport=_HD) as page:
-        yield page
 
 
 def _to(page: Page, turn: int, part: float) -> int:
@@ -149,6 +151,7 @@ _FIRST = """(() => {  // the first instruction is in sight
 })()"""
 
 
+@room_in_chromium
 @pytest.mark.parametrize("size", [(1366, 768), (390, 844), (600, 300)])
 def test_a_program_is_written(room: Page, size: tuple[int, int]) -> None:
     """hello.pal runs on the desk, its first instruction in sight, and what it prints is there; by the button
@@ -173,6 +176,7 @@ _SLOW = """() => {  // each picture of the browser takes 60 ms, before the machi
 }"""
 
 
+@room_in_chromium
 def test_the_machine_goes_on_where_pictures_are_slow(room: Page) -> None:
     room.evaluate(_SLOW)
     click(room, "#take")
@@ -228,6 +232,7 @@ _BRIGHT = """(sample) => {  // the lamps of the accumulator as they are drawn on
 }"""
 
 
+@room_in_chromium
 def test_the_lamps_are_drawn(room: Page) -> None:
     """Where the panel of the desk has a lamp there is light, if its bit is set."""
     click(room, "#leave")
@@ -236,6 +241,7 @@ def test_the_lamps_are_drawn(room: Page) -> None:
         assert lit == [bool(word >> (11 - bit) & 1) for bit in range(12)]
 
 
+@room_in_chromium
 @pytest.mark.slow("the camera comes to rest, 10 s")
 def test_what_stands_still_costs_nothing(room: Page) -> None:
     """Paused, or taken and halted: when camera and filaments have come to rest no picture is asked for."""
@@ -246,6 +252,7 @@ def test_what_stands_still_costs_nothing(room: Page) -> None:
         assert room.evaluate(_FRAMES) == 0, act
 
 
+@room_in_chromium
 @pytest.mark.slow("the camera rests three times, 12 s")
 def test_what_is_looked_at_is_drawn_for_its_size(room: Page) -> None:
     """Also where the camera has come a little nearer, or gone back again."""

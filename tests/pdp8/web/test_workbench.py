@@ -16,7 +16,18 @@ from pdp8 import shelf
 from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
-from tests.pdp8.web.browsing import AXE, DESK, Browser, Page, click, needs_axe, serious, until, visit
+from tests.pdp8.web.browsing import (
+    AXE,
+    DESK,
+    Browser,
+    Page,
+    click,
+    in_chromium,
+    needs_axe,
+    serious,
+    until,
+    visit,
+)
 
 _QUICK = ("10 times faster", "a minute a second", "as fast as it goes")
 _HALTED = "!workbench.machine.processor.run"
@@ -265,6 +276,7 @@ _CHANGES = """() => new Promise((done) => {
 })"""
 
 
+@in_chromium
 def test_idle_costs_nothing(page: Page) -> None:
     """Afternoon or machine, standing still or waiting for a key: no picture is asked for, nothing changes."""
     _load(page, "*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
@@ -281,6 +293,7 @@ def test_idle_costs_nothing(page: Page) -> None:
         assert changes == 0, done
 
 
+@in_chromium
 @pytest.mark.slow("ten translations of the circle, 25 s; `make leak SECONDS=600` goes on for ten minutes")
 def test_nothing_leaks(page: Page) -> None:
     """The circle again and again at full speed: after it the heap and the nodes of the page are as before."""
