@@ -1,7 +1,8 @@
 """Which dialect a source is in.
 
 PAL III if it has no error there; else PAL8 if it has none there. If it has errors in both, it is PAL8 if a
-line has something of PAL8's, and at most an undefined symbol wrong, and PAL8 has no more errors.
+line has something of PAL8's or small letters, and at most an undefined symbol wrong, and PAL8 has no more
+errors.
 
 A character that PAL III lacks shows at once that a source has errors there; then PAL8 is tried first.
 """
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from pal.assembly3 import Assembly3
     from pal.pal8.assembly import Assembly8
 
-_MARKS = set('(["<&^%')
+_MARKS = set('(["<&^%abcdefghijklmnopqrstuvwxyz')
 _MARK_OR_END = re.compile(r'\r(?:[^/\r(["<&^%]*[(["<&^%]|\$)')
 """Behind the end of a line: the first of the marks in the next line's code, or a `$` that begins it."""
 

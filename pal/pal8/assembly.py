@@ -82,7 +82,7 @@ class Assembly8(Assembly):
                 wrong.add(index)
         for index in range(min(self._run.ended, len(self._lines))):
             if index not in wrong:
-                for token in _TOKEN.findall(plain(self._lines[index].text).upper()):
+                for token in _TOKEN.findall(plain(self._lines[index].text)):
                     if token[:1] in marks or token[:SIGNIFICANT] in names:
                         return True
         return False

@@ -196,6 +196,15 @@ def test_a_source_that_begins_with_its_end_is_not_taken_for_pal8(source: str | b
     assert "PN36" not in {found.code for found in assembly.diagnostics}
 
 
+def test_a_mistake_in_small_letters_is_the_one_that_is_reported() -> None:
+    """In PAL III each small letter is wrong, which hides it; in a comment they say nothing of the dialect."""
+    assembly = pal.assemble("*200\n\ttad fivex\n\thlt\nfive,\t5\n$\n", dialect="auto")
+    errors = [(found.code, found.line) for found in assembly.diagnostics if found.error]
+    assert errors == [("US", 2)]
+    commented = pal.assemble("*200\n\tTAD FIVEX\t/five\n$\n", dialect="auto")
+    assert commented.dialect == "pal3"
+
+
 def test_a_source_with_pal8s_words_is_pal8s_if_it_has_no_more_errors_there() -> None:
     for line, dialect in (("\tTAD 8", "pal8"), ("\tTAD 8\n\tTAD 9", "pal3")):
         assert pal.assemble(f"*200\n\tZBLOCK 2\n{line}\n$\n", dialect="auto").dialect == dialect
