@@ -16,7 +16,7 @@ from collections.abc import Collection
 from typing import Final
 
 from tapes import frames as strip
-from tapes.code import MOSTLY, Characters, Row, Rule, lengths, nearly_all, unended
+from tapes.code import MOSTLY, Characters, Row, Rule, lengths, lines_of, nearly_all, unended
 from tapes.errors import TapeError, TextError
 
 CR, LF, RUBOUT = 0o015, 0o012, 0o177
@@ -99,6 +99,9 @@ class _Ascii(Characters):
 
     def line_end(self) -> int:
         return LF
+
+    def lines(self, frames: bytes) -> list[tuple[int, str]]:
+        return lines_of(frames.translate(strip.PARITIES["none"]).decode("ascii"), 0, "\0\r\x7f")
 
     def likelihood(self, frames: bytes) -> float:
         """Return MOSTLY if nine in ten frames are characters that a text has."""

@@ -10,6 +10,7 @@ from typing import Final, NamedTuple
 
 from tapes.errors import TapeError
 from tapes.frames import BLANK, CHANNEL_8, LABEL_GAP, skip
+from tapes.hydrapoint import DIGITS
 from tapes.quantities import counted
 
 Row = tuple[str, str]
@@ -135,16 +136,34 @@ class Characters(Code):
             if start == len(frames):
                 break
             piece = frames[max(first, title.stop) : end].strip(LABEL_GAP)
-            if self._has_lines(frames[start:]) and self.likelihood(frames[start:]) >= 0.9 * MOSTLY:
+            if self.has_lines(frames[start:]) and self.likelihood(frames[start:]) >= 0.9 * MOSTLY:
                 odd = piece.translate(None, LABEL_GAP[:1]).translate(None, self.fitting(frames[start:]))
-                written = self._has_lines(piece) and len(odd) < len(piece) / 10
+                written = self.has_lines(piece) and len(odd) < len(piece) / 10
                 if written or not (odd or BLANK in piece or (title and len(piece) <= _LETTER)):
                     break
                 title = range(first, end)
             end = frames.find(LABEL_GAP, start, _LONGEST_TITLE)
         return (title,) if title else ()
 
-    def _has_lines(self, frames: bytes) -> bool:
+    def lines(self, frames: bytes) -> list[tuple[int, str]]:
+        """Return the first frame of each line or block, and its characters in ASCII without fill."""
+        return []
+
+    def uneven(self, frames: bytes) -> list[tuple[int, str]]:
+        """Return the blocks of digits that have not 19, on a tape of which nine in ten have."""
+        found: list[tuple[int, str]] = []
+        blocks = 0
+        for at, line in self.lines(frames):
+            if len(line) == DIGITS:
+                blocks += 1
+            elif blocks and not line:
+                found.append((at, "an end of block without a block"))
+            elif not line.strip("0123456789 ") and line:
+                found.append((at, f"a block of {counted(len(line), 'digits')}; nearly all have {DIGITS}"))
+        return found if blocks >= 9 * len(found) else []
+
+    def has_lines(self, frames: bytes) -> bool:
+        """Whether some line ends."""
         end = self.line_end()
         return end in frames or (end < CHANNEL_8 and end | CHANNEL_8 in frames)
 
@@ -156,6 +175,16 @@ def fault(read: Callable[[bytes], object], frames: bytes) -> str | None:
     except TapeError as error:
         return str(error)
     return None
+
+
+def lines_of(text: str, at: int, fill: str) -> list[tuple[int, str]]:
+    """Return the lines of a tape's characters from frame `at` on: where each begins, and what it says."""
+    lines: list[tuple[int, str]] = []
+    for piece in text[at:].split("\n"):
+        begun = piece.lstrip(fill)
+        lines.append((at + len(piece) - len(begun), "".join([each for each in begun if each not in fill])))
+        at += len(piece) + 1
+    return lines if lines[-1][1] else lines[:-1]
 
 
 def nearly_all(frames: bytes, of: bytes) -> bool:

@@ -7,18 +7,23 @@ between the same neighbours, and at the same place of a line. Where that does no
 A rule that more than one frame in ten breaks is none.
 """
 
+import re
 from collections import Counter
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from tapes import codes
-from tapes.code import Code, Rule
+from tapes.code import LED, Characters, Code, Rule
 from tapes.errors import TapeError
-from tapes.frames import BLANK, channels
+from tapes.frames import BLANK, LEADER, RUBOUT, channels
 from tapes.quantities import counted
 
 MOST_WRONG = 0.1
 _LIKELIER = 3.0
+_FEW = 20
+_FILL = bytes([BLANK, LEADER, RUBOUT])
+_PART = re.compile(rb"[^\0](?:.*?[^\0])??(?=\0{10}|\0*\Z)", re.DOTALL)
+"""What lies between inches of blank tape."""
 
 
 class Doubt(NamedTuple):
@@ -37,24 +42,59 @@ class Doubt(NamedTuple):
 def find(frames: bytes, code: Code | None = None) -> list[Doubt]:
     """Return the doubtful frames of a tape in `code`, which is recognised if it is not given."""
     code = code or codes.recognise(frames)
+    parts = others(frames, code)
+    found = [_other(part, frames[part.start], other, code) for part, other in parts]
     rule = code.rule(frames)
     if rule is None:
-        return []
-    passed = {at for label in code.labels(frames) for at in label}
+        return found
+    passed = {at for part in (*code.labels(frames), *(part for part, _ in parts)) for at in part}
     wrong = [
         at
         for at, frame in enumerate(frames)
         if frame != BLANK and not rule.obeyed(at, frame) and at not in passed
     ]
     if len(wrong) > MOST_WRONG * len(frames.replace(b"\0", b"")):
-        return []
+        return found
     context = _Context(frames, code.line_end())
-    found = [_doubt(at, frames, code, rule, context) for at in wrong]
+    found += [_doubt(at, frames, code, rule, context) for at in wrong]
     for gap in code.gaps(frames):
         said = f"{counted(len(gap), 'blank frames')} inside the data, as at a splice"
         found.append(Doubt(gap.start, BLANK, None, said, "nothing"))
-    found += [Doubt(at, frames[at], None, said, "as punched") for at, said in code.uneven(frames)]
+    found += [
+        Doubt(at, frames[at], None, said, "as punched")
+        for at, said in code.uneven(frames)
+        if at not in passed
+    ]
     return sorted(found)
+
+
+def others(frames: bytes, code: Code) -> list[tuple[range, Code]]:
+    """Return the parts of a tape of characters, between inches of blank tape, that are in another code."""
+    found: list[tuple[range, Code]] = []
+    parts = [*_PART.finditer(frames)] if isinstance(code, Characters) else []
+    for part in parts if len(parts) > 1 else ():
+        piece = part.group()
+        other = codes.recognise(piece) if len(piece.translate(None, _FILL)) >= _FEW else code
+        if (
+            other in codes.CODES
+            and other is not code
+            and _obeys(piece, other)
+            and not _is_title(piece, other)
+        ):
+            found.append((range(*part.span()), other))
+    return found
+
+
+def _is_title(piece: bytes, code: Code) -> bool:
+    """Whether a part may be letters for the eye: they have blank tape between them, and end no lines."""
+    return isinstance(code, Characters) and (BLANK in piece or not code.has_lines(piece))
+
+
+def _obeys(piece: bytes, code: Code) -> bool:
+    rule = code.rule(piece)
+    if rule is None:
+        return code.likelihood(piece) >= LED
+    return all(rule.obeyed(at, frame) for at, frame in enumerate(piece))
 
 
 def check(frames: bytes, code: Code | None = None) -> None:
@@ -125,6 +165,12 @@ def _doubt(at: int, frames: bytes, code: Code, rule: Rule, context: _Context) ->
     if likely is not None:
         said += f"; likely {_called(code, likely)}, channel {channels(seen ^ likely)[0]}"
     return Doubt(at, seen, likely, said, _reading(code, seen))
+
+
+def _other(part: range, seen: int, other: Code, code: Code) -> Doubt:
+    cut = f"`pdp8 tape cut --from {part.start} --to {part[-1]}` cuts them out"
+    said = f"the frames from here to {part[-1]} are {other.title}, not {code.title}; {cut}"
+    return Doubt(part.start, seen, None, said, "as punched")
 
 
 def _reading(code: Code, frame: int) -> str:

@@ -18,11 +18,9 @@ from collections.abc import Collection
 from itertools import pairwise
 from typing import Final
 
-from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lengths, nearly_all, unended
+from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lengths, lines_of, nearly_all, unended
 from tapes.errors import TapeError, TextError
 from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, channels, paper_end, skip
-from tapes.hydrapoint import DIGITS
-from tapes.quantities import counted
 
 EOB = 0o200
 DELETE = 0o177
@@ -50,7 +48,6 @@ _NAMES = {
 }  # fmt: skip
 
 _FITTING = bytes([*CHARACTERS, DELETE])
-_DIGITS = bytes(CODES[digit] for digit in "0123456789")
 _WITHOUT_ZERO = bytes([BLANK, DELETE, EOB, *(CODES[digit] for digit in "123456789")])
 _NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
@@ -158,19 +155,9 @@ class _Eia(Characters):
             found.append(range(start, at))
         return tuple(found)
 
-    def uneven(self, frames: bytes) -> list[tuple[int, str]]:
-        """Return the blocks of digits that have not 19, on a tape of which nine in ten have."""
-        found: list[tuple[int, str]] = []
-        at, end, blocks = skip(frames, 0, BLANK), paper_end(frames), 0
-        while at < end:
-            close = frames.find(EOB, at, end)
-            piece = frames[at : end if close == -1 else close]
-            count = len(piece.translate(None, bytes([DELETE])))
-            blocks += count == DIGITS
-            if count not in (0, DIGITS) and not piece.translate(None, _DIGITS + bytes([DELETE])):
-                found.append((at, f"a block of {counted(count, 'digits')}; nearly all have {DIGITS}"))
-            at += len(piece) + 1
-        return found if blocks >= 9 * len(found) else []
+    def lines(self, frames: bytes) -> list[tuple[int, str]]:
+        text = frames[: paper_end(frames)].translate(_TO_CHARACTER)
+        return lines_of(text.decode("latin-1"), skip(frames, 0, BLANK), chr(DELETE))
 
     def fitting(self, frames: bytes) -> bytes:
         return _FITTING

@@ -4,7 +4,8 @@ Sources: 10 frames an inch (ECMA-10); ASR-33 10 characters a second, PC8/L reade
 Computer Handbook, DEC).
 """
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 
 from tapes import codes, controls, doubts, frames, redundancy, title
 from tapes.code import Characters, Code, Row
@@ -12,11 +13,13 @@ from tapes.quantities import counted, duration
 
 TO_TEXT = "`pdp8 tape convert --to text` gives its G-code"
 _SHOWN = 10
+_INTERRUPTED = re.compile(rb"(?<=[^\0\n\r\x7f\x80\x8a\x8d\xff])\0+(?=[^\0])")
 
 
 def report(tape: bytes) -> list[Row]:
     """Return what there is to say of the tape, as (name, value) in the order of interest."""
     code = codes.recognise(tape)
+    others = [part for part, _ in doubts.others(tape, code)]
     found = doubts.find(tape, code)
     way = redundancy.turned(tape)
     control = controls.other_control(tape, code)
@@ -27,16 +30,28 @@ def report(tape: bytes) -> list[Row]:
         ("length", length(len(tape))),
         ("time", times(len(tape))),
         *code.report(tape),
+        *(_blanks(tape) if code is codes.ASCII and not (others or code.labels(tape)) else ()),
         *((("control", f"{control}, not the Hydra-Point's; {TO_TEXT}"),) if control else ()),
         *((("turned", f"{redundancy.TURNED[way]}: `pdp8 tape cut {way}` turns it"),) if way else ()),
         *(("doubt", f"{doubt}") for doubt in found[:_SHOWN]),
         *((("doubt", f"and {len(found) - _SHOWN:,} more"),) if found[_SHOWN:] else ()),
-        *(_labels(tape, code) if isinstance(code, Characters) else ()),
+        *(_labels(tape, code, others) if isinstance(code, Characters) else ()),
     ]
 
 
-def _labels(tape: bytes, code: Code) -> Iterator[Row]:
+def _blanks(tape: bytes) -> Iterator[Row]:
+    """Say where blank tape interrupts a line of ASCII: a splice, or frames that were rubbed out."""
+    found = [*_INTERRUPTED.finditer(tape)]
+    if found:
+        first = f"{counted(len(found[0].group()), 'frames')} inside a line from frame {found[0].start()} on"
+        more = f", and in {counted(len(found) - 1, 'other places')}" * (len(found) > 1)
+        yield "blank", f"{first}{more}"
+
+
+def _labels(tape: bytes, code: Code, others: Sequence[range]) -> Iterator[Row]:
     for label in code.labels(tape):
+        if any(part.start in label for part in others):
+            continue
         said = title.read(tape[label.start : label.stop])
         called = f", {said!r}" if said else ""
         yield "title", f"{counted(len(label), 'frames')} from frame {label.start} on{called}"

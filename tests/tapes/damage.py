@@ -70,8 +70,8 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
         at = len(lead) + draw.randrange(30, len(body) - 30)
         tape = tape[:at] + tape[at + 1 if damage == "missing" else at :]
         tape = tape if damage == "missing" else tape[:at] + tape[at : at + 1] + tape[at:]
-        if code == "eia" and form == "blocks" and (damage == "missing" or (at - len(lead)) % 20 < 19):
-            wrong = frozenset([at - (at - len(lead)) % 20])
+        if form == "blocks":
+            wrong = _uneven(damage, at - len(lead), 20 if code == "eia" else 21, len(lead))
     elif damage == "mixed" and code not in ("eia", "ita2"):
         other = "odd" if code == "even" else "even"
         tape = lead + body + _punched(text, other) + lead
@@ -82,6 +82,16 @@ def _one(draw: random.Random, damage: str, code: str) -> Damaged:
     elif damage == "both":
         tape = bytes(int(f"{frame:08b}"[::-1], 2) for frame in tape[::-1])
     return Damaged(f"{damage} {code} {form}", tape, wrong, was)
+
+
+def _uneven(damage: str, at: int, rows: int, first: int) -> frozenset[int]:
+    """Return where a line is named of which frame `at` is missing or doubled: it has not 19 digits then."""
+    row = at % rows
+    if row == 19 and rows == 21:  # a carriage return says nothing of the length
+        return frozenset()
+    if row == rows - 1 and damage == "doubled":
+        return frozenset([first + at + 1])
+    return frozenset([first + at - row])
 
 
 def _punched(text: str, code: str) -> bytes:
@@ -139,6 +149,7 @@ def survey(count: int, seed: int) -> tuple[Counter[str], list[str]]:
             continue
         doubtful = {doubt.frame: doubt for doubt in doubts.find(tape)}
         found["damaged"] += len(wrong)
+        found["of a wrong hole"] += len(wrong & was.keys())
         found["named"] += len(wrong & doubtful.keys())
         found["invented"] += len(doubtful.keys() - wrong)
         proposed = [at for at in wrong & doubtful.keys() if doubtful[at].likely is not None]

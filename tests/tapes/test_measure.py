@@ -4,7 +4,9 @@ from collections.abc import Callable
 
 import pytest
 
-from tapes import ascii, binary, eia, measure, quantities, rim
+from tapes import ascii, binary, codes, eia, measure, quantities, rim
+from tapes.convert import convert
+from tapes.errors import TapeError
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal
 
 BLOCKS = "0010000000000003588\n0029030000350000189\n"
@@ -125,3 +127,36 @@ def test_quantities_in_words_and_as_on_drawings(
     write: Callable[[float], str], number: float, written: str
 ) -> None:
     assert write(number) == written
+
+
+BINARY = "BIN, DEC's binary loader format"
+_LINES = "".join(f"N{number:02} G01 X{number * 37:04} Y{number * 91:04}\n" for number in range(1, 30))
+_PARTS = {
+    "ASCII": ascii.encode(_LINES, "even"),
+    "EIA RS-244": eia.encode(_LINES[: len(_LINES) // 29 * 14]),
+    BINARY: FORMAT_BIN.lstrip(bytes(1)),
+}
+
+
+@pytest.mark.parametrize("order", [("ASCII", "EIA RS-244"), ("EIA RS-244", "ASCII"), ("ASCII", BINARY)])
+def test_a_part_in_another_code_is_named_and_not_converted(order: tuple[str, str]) -> None:
+    parts = [_PARTS[name] for name in order]
+    tape = bytes(30).join(parts)
+    report = measure.report(tape)
+    (doubt,) = [value for said, value in report if said == "doubt"]
+    whole = dict(report)["tape"]
+    (at,) = {0, 1} - {order.index(whole)}
+    first = at * (len(parts[0]) + 30)
+    last = first + len(parts[at]) - 1
+    assert doubt.startswith(f"frame {first}: the frames from here to {last} are {order[at]}, not {whole}; ")
+    assert f"--from {first} --to {last}" in doubt
+    with pytest.raises(TapeError, match=f", not {whole}"):
+        convert(tape, codes.recognise(tape).name, "text")
+    assert not any("from here to" in value for _, value in measure.report(parts[0] + bytes(30) + parts[0]))
+
+
+def test_blank_tape_inside_a_line_is_named() -> None:
+    tape = _PARTS["ASCII"]
+    assert "blank" not in dict(measure.report(tape[:27] + bytes(30) + tape[27:])), "between two lines"
+    said = dict(measure.report(tape[:30] + bytes(30) + tape[30:60] + b"\0" + tape[60:]))["blank"]
+    assert said == "30 frames inside a line from frame 30 on, and in 1 other place"
