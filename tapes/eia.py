@@ -4,7 +4,7 @@ r"""EIA RS-244, the code of numerically controlled machines and of the Flexowrit
               EOB  zone    parity  8     4  2  1      BCD digit; zones 7+6 A-I, 7 J-R, 6 S-Z; 0 is channel 6
 
 Channel 5 makes the number of holes odd. Channel 8 belongs to the carriage return alone, the end of a block
-(EOB), and stands here as "\n". A tape has one code a letter; a Flexowriter shifts its case by UC and LC, here
+(EOB), and is "\n" here. A tape has one code a letter; a Flexowriter shifts its case by UC and LC, here
 "\x0e" and "\x0f".
 
 Not emulated: parity in the reading head of the Hydra-Point, which masks channels 5, 6 and 7 (see nc/).

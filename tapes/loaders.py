@@ -3,7 +3,7 @@
     bin, rim   frames of the formats' classes, as the loaders read them; leader is usual before and after
 
 A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
-and differs in what stands before the trailer: its checksum. So a tape that reads as both is BIN when its
+and differs in what is before the trailer: its checksum. So a tape that reads as both is BIN when its
 checksum is good and it holds a word by that reading; one RIM tape in 4096 is taken for BIN by this.
 
 Formats: binary.py and rim.py.

@@ -528,7 +528,7 @@ def _tell_of_channel_8(options: Options, machine: Machine) -> None:
 
 
 def _check_options(options: Options, more: Sequence[str]) -> None:
-    """Raise UsageError for options that mean nothing together, and for what stands after the program."""
+    """Raise UsageError for options that mean nothing together, and for what follows the program."""
     if more:
         raise click.UsageError(
             f"{more[0]}: one PROGRAM is run; a tape goes into the reader: --reader {more[0]}"

@@ -363,7 +363,7 @@ class Machine:
         return Reason.HALT if p.state == FETCH and halts(p.mb) else Reason.STOP_KEY
 
     def _out_of_tape(self) -> bool:
-        """Tell whether the loop the program stands in waits for a reader whose tape has run out."""
+        """Tell whether the loop that the program is in waits for a reader whose tape has run out."""
         p = self.processor
         return any(device.out_of_tape() and (p.ion or device.tested) for device in self.bus)
 

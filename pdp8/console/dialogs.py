@@ -1,6 +1,6 @@
 """What the operator is asked: which tape goes into the reader, a torn-off tape's name, whether to leave.
 
-The keyboard is the name's: ENTER takes what stands on its line, whether it was typed, or written there by the
+The keyboard is the name's: ENTER takes what is on its line, whether it was typed, or written there by the
 arrows that go up and down the list. ESC and Ctrl-C leave without an answer.
 """
 

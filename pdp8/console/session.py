@@ -7,7 +7,7 @@ The machine stays what it is: everything here is done with its panel's keys, its
 keyboard. At speed 1 the room's second is the machine's; where Python is slower than that, the machine's time
 falls behind and nothing is left out.
 
-While the processor stands still the Teletype finishes what it has begun, in the room's own time.
+While the processor is stopped the Teletype finishes what it has begun, in the room's own time.
 """
 
 from collections.abc import Callable, Iterator
@@ -118,7 +118,7 @@ class Session:
             self._slice = max(self._slice / 2, _SHORTEST)
 
     def _look(self, samples: list[Lamps] | None = None) -> None:
-        """Read the lamps: exact when the machine stands still, else their average brightness."""
+        """Read the lamps: exact when the machine is stopped, else their average brightness."""
         lamps = self.machine.panel.lamps
         self.brightness = shares(samples if samples and lamps.run else [lamps])
         """How bright each lamp is, 0 to 1, most significant first."""
@@ -149,7 +149,7 @@ class Session:
         self._look()
 
     def back(self, seconds: float = 0) -> None:
-        """Undo one instruction, or that much machine time, or all there is; the machine stands still then."""
+        """Undo one instruction, or that much machine time, or all there is; the machine is stopped then."""
         self._hands = None
         if seconds:
             rewind.seconds(self.history, min(seconds, self.history.seconds))

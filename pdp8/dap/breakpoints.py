@@ -188,11 +188,11 @@ class Breakpoints:
         watch.reads = {address for point, address in placed if point.reads}
 
     def stopped(self, machine: Machine) -> list[Point]:
-        """Return those at which a run to where a machine stands has stopped, or would have."""
+        """Return those at which a run to a machine's present state has stopped, or would have."""
         return [point for point in self.hit(machine) if point.stopped(machine.instructions)]
 
     def hit(self, machine: Machine) -> list[Point]:
-        """Return the breakpoints that a machine stands at, whatever their conditions."""
+        """Return the breakpoints at a machine's next address, whatever their conditions."""
         p, watch = machine.processor, machine.watch
         places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
         return [

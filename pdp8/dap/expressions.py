@@ -1,6 +1,6 @@
-"""Expressions over the machine that stands, for conditions, log messages and watched expressions.
+"""Expressions over the stopped machine, for conditions, log messages and watched expressions.
 
-    AC == 7402 && COUNT > 5         registers; a symbol is the word that stands there
+    AC == 7402 && COUNT > 5         registers; a symbol is the word at its address
     core[CHK+1] & 7000              the word at an address; in the brackets a symbol is its address
     {AC} at {core[17]}              a log message: expressions in braces
 

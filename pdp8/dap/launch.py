@@ -10,7 +10,7 @@
 "memory": "8k"            fits the MC8/L
 "dectape": ["0=ps8.tu56"]       fits a DECtape, and mounts reels
 "boot": true              loads the program from cold: RIM, BIN, tape
-"stopOnEntry": true       stands before the first instruction
+"stopOnEntry": true       stops before the first instruction
 "commands": ["set hands 0"]     lines for the monitor, before START
 """
 

@@ -1,7 +1,7 @@
 """Core as bytes, for an editor's memory view, and as instructions.
 
 A word is two bytes, the more significant first; a reference is the number of its first byte in hexadecimal,
-as the protocol has it: word 0200 is 0x0100. Its octal address stands in the instruction's own text.
+as the protocol has it: word 0200 is 0x0100. Its octal address is in the instruction's own text.
 """
 
 import base64

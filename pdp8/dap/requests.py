@@ -1,6 +1,6 @@
 """What an editor may send with a request: the type of each argument by its name, and which a request needs.
 
-The protocol uses one type for a name wherever it stands; a name that is not here is passed over.
+The protocol uses one type for a name wherever it is; a name that is not here is passed over.
 """
 
 from typing import Any

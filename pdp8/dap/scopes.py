@@ -1,6 +1,6 @@
-"""What the editor is shown of the machine that stands, and sets there: calls, variables, expressions.
+"""What the editor is shown of the stopped machine, and sets there: calls, variables, expressions.
 
-Registers and switches are set as by the monitor. A symbol of the program shows the word that stands there. A
+Registers and switches are set as by the monitor. A symbol of the program shows the word at its address. A
 device, and each of its parts, shows the fields of its saved state (see computer/hardware/fields.py).
 
 A line at the debug console is a register, a symbol or an address, whose word is shown, or an expression;

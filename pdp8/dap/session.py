@@ -64,7 +64,7 @@ _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "writeMemory": memory.write_memory,
     "disassemble": memory.disassemble,
 }
-"""What the editor asks about the machine, whether it runs or stands."""
+"""What the editor asks about the machine, whether it runs or is stopped."""
 
 
 class Session:
@@ -270,7 +270,7 @@ class Session:
         self._moved(None)
 
     def _moved(self, halt: Halt | None) -> None:
-        """Say, after the response, where the machine stands; let it run on otherwise."""
+        """Say, after the response, where the machine is stopped; let it run on otherwise."""
         if halt is None:
             self._runs, self._waits = True, ""
         else:

@@ -56,7 +56,7 @@ def task(text: str) -> str:
 
 
 def _coded(text: str) -> str:
-    """Return a text in which what stands in `` is code, its blanks kept."""
+    """Return a text in which what is within `` is code, its blanks kept."""
     parts = enumerate(_CODE.split(text))
     return "".join(f"<code>{escape(part)}</code>" if at % 2 else escape(part) for at, part in parts)
 

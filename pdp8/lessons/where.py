@@ -1,4 +1,4 @@
-"""The place where an answer goes wrong in a trial: it stands there, with the wrong instruction to come.
+"""The place where an answer goes wrong in a trial: it is stopped there, before the wrong instruction.
 
 The first of these that there is:
 

@@ -38,7 +38,7 @@ _AT_SIMH = {
     "!": "no command of the system is carried out; type it at a terminal beside this one",
     "next": "step, or break at the return",
 }
-"""What stands here for a command of SIMH's, which may be shortened to three letters."""
+"""What is here in place of a command of SIMH's, which may be shortened to three letters."""
 
 
 class Command(NamedTuple):

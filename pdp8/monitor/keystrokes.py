@@ -1,6 +1,6 @@
 r"""The Teletype's keyboard: keys are pressed as the program asks for them.
 
-    type 01.04 T "HI THERE"!        what stands after `type` and one blank, then RETURN if it is asked for
+    type 01.04 T "HI THERE"!        what follows `type` and one blank, then RETURN if it is asked for
     keyboard "200/"                 texts and codes as `expect` takes them, and nothing else
     keyboard now "\003"             whatever the program does
 
@@ -25,7 +25,7 @@ _RETURN = b"\x8d"
 
 
 def type_(monitor: Monitor, text: str) -> None:
-    """Press the keys of TEXT as it stands, and RETURN if it is asked for, each as the program asks for it."""
+    """Press the keys of TEXT as it is, and RETURN if it is asked for, each as the program asks for it."""
     press(monitor, frames_of(text))
     if why := _refused(monitor):
         monitor.say(f"RETURN was not pressed: the program asks for no key: {why}")

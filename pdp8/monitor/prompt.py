@@ -81,7 +81,7 @@ class Monitor:
         self.machine.watch, self.operator.pace = watch, pace
 
     def say_where(self, why: str) -> None:
-        """Say where the machine stands now, `why`, and at what time."""
+        """Say where the machine is now, `why`, and at what time."""
         m = self.machine
         self.say(f"{why}; {m.elapsed:,.6f} s; next {self.listing.line(m.pc, m.core[m.pc], m.processor)}")
 

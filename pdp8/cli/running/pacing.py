@@ -125,7 +125,7 @@ def run(
 def _slices(
     machine: Machine, last: int, shortest: float, longest: float, first: Iterable[float]
 ) -> Iterator[Stop]:
-    """Yield how the machine stands after each slice until tick `last`; the first take `first` seconds."""
+    """Yield the machine's state after each slice until tick `last`; the first take `first` seconds."""
     for seconds in first:
         for now in machine.slices(min(seconds, (last - machine.ticks) / TICKS_PER_SECOND)):
             yield now

@@ -88,7 +88,7 @@ _FALLS, _RISES = eighths(1 + FIRST_SHIFT), eighths(1 + NINTH_SHIFT)
 
 
 class Reader:
-    """The tape reader: a tape, where it stands under the head, and the lever."""
+    """The tape reader: a tape, which frame is under the head, and the lever."""
 
     fields = saved(tape=FRAMES, position=COUNT, loaded=BIT, on=BIT)
 

@@ -8,7 +8,7 @@
 
 The last turn of an endless loop is run once more and looked at. Where a program left the words that were
 loaded is found by going back to START and running again until it leaves them: the same run, so the same way.
-Words that the program has written are its own. Afterwards the machine stands as it stood.
+Words that the program has written are its own. Afterwards the machine is as it was.
 
 Not found out: why a program goes wrong and stays within its words.
 """

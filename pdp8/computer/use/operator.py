@@ -109,7 +109,7 @@ class Operator:
         """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while the machine stands still."""
+        """Let time pass while the machine is stopped."""
         self.machine.wait(seconds)
 
     def set_switches(self, word: int) -> None:

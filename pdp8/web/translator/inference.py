@@ -382,7 +382,7 @@ class Types:
         return without_none(self.infer(node))
 
     def constant(self, node: ast.expr) -> ast.AST:
-        """Return what a name of a constant stands for."""
+        """Return the value of a constant's name."""
         found = self.found(node)
         return found.node if found and isinstance(found.node, ast.expr) else node
 
@@ -764,7 +764,7 @@ class Types:
         return None if missing and not starred else pairs
 
     def unify(self, pattern: Type, kind: Type, given: dict[str, Type]) -> None:
-        """Find what stands for the type variables of `pattern`."""
+        """Find the types of the type variables of `pattern`."""
         if pattern.name[0] == "~":
             given[pattern.name] = join(given.get(pattern.name, UNSEEN), kind)
         elif pattern.name == "|":

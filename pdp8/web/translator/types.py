@@ -118,7 +118,7 @@ def item_of(kind: Type) -> Type:
 
 
 def filled(pattern: Type, given: dict[str, Type]) -> Type:
-    """Return `pattern` with what stands for its type variables."""
+    """Return `pattern` with its type variables replaced."""
     if pattern.name[0] == "~":
         return given.get(pattern.name, UNSEEN)
     if pattern.name == "|":
