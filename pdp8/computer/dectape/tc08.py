@@ -15,27 +15,32 @@ the checksum in the first 6. Words go to and from core by three-cycle data break
 address in 7755:
 
     search      the number of each block, CA unchanged     DECtape flag with it; continuous: when WC overflows
-    read,write  words until WC overflows, then the block   DECtape flag with the checksum; continuous: when WC
-                passes by, and zeros are written           has overflowed
-    all         words and what is between them, by 4       DECtape flag with each; continuous: when WC
-                lines                                      overflows
+    read,write  words until WC overflows, then the block   DECtape flag after the checksum; continuous: when
+                passes by, and zeros are written           WC has overflowed
+    all         4 lines each, from line 2 of a block on:   DECtape flag with each; continuous: when WC
+                7 groups, the words, 8 groups              overflows
+
+A word is read at its end. A word to write is asked for half a line before its first line, and the flag after
+a checksum comes 3 1/2 lines after the last word.
 
 After a change of unit, direction or go the control does not read the tape for 120 ms (U + M delay), and not
 before it is fast enough (tu55.py); then it waits for the number of a block. Read the other way, a word is the
 complement of its four lines in the other order.
 
-Timing error: a word was not moved before the next one, or the DECtape flag is up as the next block begins.
-Select error: no tape at that unit, it is write locked, or function 6 or 7. End zone, and these, clear GO.
+Timing error: a word was not moved before the next one, the DECtape flag is up as the next block begins, or
+read or write is commanded within a block. Select error: no tape at that unit, it is write locked, or function
+6 or 7. End zone, and these, clear GO. Parity error: a block's words and two checksums do not add up to 77.
 
 By convention: the select error comes at once (5 us later); search begins with the whole of a number, read
-and write with the whole of a block; in read all and write all only the words of blocks, their numbers and
-checksums mean anything, and write all changes only words; the last word taken is on the tape as the next is
-asked for. Parity and mark track errors never come: an image has neither.
+and write with the whole of a block; read all and write all begin with a whole group; write all changes only
+words and checksums; a word is on the tape as soon as it is taken; a parity error comes with the flag. The
+checksums of an image, which has none, are right. Mark track errors never come.
 
 Not emulated: writing the timing and mark track, the transport's own switches for motion.
 
 Sources: DEC TC08 maintenance manual, by its drawings in drovak/verilogpdp, pdp8i/tc08.v (delay of 120 ms,
-started by AC 0-4 of DTXA; speed of 70 us a line); OS/8 Handbook; SIMH PDP8/pdp8_dt.c (the lines of a block).
+started by AC 0-4 of DTXA; speed of 70 us a line; groups, requests and flags by running them); OS/8 Handbook;
+SIMH PDP8/pdp8_dt.c (the lines of a block); DEC-08-EUFB (what the formatter writes between words).
 """
 
 from pdp8.computer.dectape.tu55 import BLOCK_LINES, END_ZONE, LINE, LINES, Transport
@@ -50,13 +55,12 @@ CLEARED = 40
 """Ticks after DTCA until the tape stops; DTXA in the same instruction comes before that."""
 
 REVERSE, GO, CONTINUOUS, ENABLE = 0o400, 0o200, 0o100, 0o4
-ERROR, END, SELECT, TIMING, DONE = 0o4000, 0o1000, 0o400, 0o100, 0o1
+ERROR, END, SELECT, PARITY, TIMING, DONE = 0o4000, 0o1000, 0o400, 0o200, 0o100, 0o1
 SEARCH, READ, READ_ALL, WRITE, WRITE_ALL = 1, 2, 3, 4, 5
-HEADER, NUMBER, WORD, CHECKSUM = 30, 12, 4, 6
-"""Lines: before the words of a block, to the end of its number, of a word, of the checksum."""
-BESIDE = 7
-"""Groups of four lines before the words, and after them, as read all and write all have them."""
-GROUPS = BESIDE + WORDS + BESIDE
+HEADER, NUMBER, WORD, CHECKED = 30, 12, 4, 550
+"""Lines: before the words of a block, to the end of its number, of a word, and of the checksum's group."""
+FIRST, BESIDE, GROUPS = 2, 7, BLOCK_LINES // WORD
+"""The line at which a block's groups of four begin; groups before its words, and in all."""
 
 # What comes at `due`.
 NOTHING, STOP, ZONE, BLOCK, NEXT, CHECK = 0, 1, 2, 3, 4, 5
@@ -185,7 +189,8 @@ class TC08(BreakDevice):
 
     def _look_ahead(self, now: int) -> None:
         """Plan the first event of a function."""
-        ready = max(now, self.settled, self.drive.readable_from(now))
+        reads = max(self.settled, self.drive.readable_from(now))
+        ready, begun = max(now, reads), self._along(reads)
         waits = ready > now
         at, function = self._along(ready), self.a >> 3 & 7
         self.word = 0
@@ -193,16 +198,14 @@ class TC08(BreakDevice):
             self.block = _first(at, NUMBER - 6)
             self._plan_at(BLOCK, NUMBER, ready)
         elif function in (READ, WRITE):
-            self.block = _first(at, NUMBER - 6 if waits else HEADER if function == READ else HEADER - WORD)
-            self._plan_word(ready)
-        elif function in (READ_ALL, WRITE_ALL):
-            self.block = _first(at, NUMBER - 6)
-            if waits:
-                self.word = NUMBER // WORD
+            self.block = _first(at, NUMBER - 6 if waits else HEADER - 6)
+            if _first(begun, NUMBER - 6) <= _first(at, CHECKED) < self.block:
+                self._error(TIMING, now)
             else:
-                self.block = max(self.block - 1, 0)
-                while self._place(_line_of(self.word)) < at:
-                    self._count_on()
+                self._plan_word(ready)
+        elif function in (READ_ALL, WRITE_ALL):
+            group = _first(at, FIRST + WORD if function == READ_ALL else FIRST - 2, WORD)
+            self.block, self.word = group // GROUPS, group % GROUPS
             self._plan_word(ready)
         else:
             self._plan_zone(ready)
@@ -212,20 +215,17 @@ class TC08(BreakDevice):
         at = self.drive.position(now)
         return LINES * LINE - at if self.a & REVERSE else at
 
-    def _place(self, line: int) -> int:
-        """Return where a line of the block is, from the end at which motion begins."""
-        return (END_ZONE + BLOCK_LINES * self.block + line) * LINE
-
     def _plan(self, event: int, due: int) -> None:
         self.event, self.due = event, due
         self.asked = self.late = NEVER
 
-    def _plan_at(self, event: int, line: int, now: int) -> None:
-        """Plan an event at a line of the block, or the end zone where there is no such block."""
+    def _plan_at(self, event: int, line: int, now: int, before: int = 0) -> None:
+        """Plan an event so much before a line of the block, or the end zone where there is no such block."""
         if self.block >= BLOCKS:
             self._plan_zone(now)
         else:
-            self._plan(event, max(self._tick_at(self._place(line), now), now))
+            place = (END_ZONE + BLOCK_LINES * self.block + line) * LINE - before
+            self._plan(event, max(self._tick_at(place, now), now))
 
     def _plan_zone(self, now: int) -> None:
         self._plan(ZONE, max(self._tick_at((LINES - END_ZONE) * LINE, now), now))
@@ -234,15 +234,16 @@ class TC08(BreakDevice):
         return self.drive.tick_at(LINES * LINE - place if self.a & REVERSE else place, now)
 
     def _plan_word(self, now: int) -> None:
-        """Plan the next word: read at its end, asked for one word before it is written."""
+        """Plan the next word: read at its end, asked for before it is written."""
         function = self.a >> 3 & 7
-        line = WORD + (HEADER + WORD * self.word if function in (READ, WRITE) else _line_of(self.word))
-        if function in (WRITE, WRITE_ALL):
-            line -= 2 * WORD
-        self._plan_at(NEXT, line, now)
+        line = (HEADER if function in (READ, WRITE) else FIRST) + WORD * self.word
+        if function in (READ, READ_ALL):
+            self._plan_at(NEXT, line + WORD, now)
+        else:
+            self._plan_at(NEXT, line, now, LINE // 2)
 
     def _plan_check(self, now: int) -> None:
-        self._plan_at(CHECK, HEADER + WORD * WORDS + CHECKSUM, now)
+        self._plan_at(CHECK, CHECKED, now, LINE // 2)
 
     def advance(self, now: int) -> None:
         """Let happen what happens up to tick `now`; a request waits until it is accepted."""
@@ -261,11 +262,7 @@ class TC08(BreakDevice):
         elif self.event == ZONE:
             self._error(END, now)
         elif self.event == CHECK:
-            if self.over or not self.a & CONTINUOUS:
-                self._done()
-            self.block += 1
-            self.word = 0
-            self._plan_word(now)
+            self._check(now)
         elif self.breaking or (self.b & DONE and (self.word == 0 or self.a >> 3 & 1)):
             self._error(TIMING, now)
         elif self.event == BLOCK:
@@ -285,49 +282,58 @@ class TC08(BreakDevice):
         self._plan_at(BLOCK, NUMBER, now)
         self._ask(1, 0, now)
 
+    def _check(self, now: int) -> None:
+        """A block has passed with its checksums: compare or write the last one."""
+        drive, back = self.drive, self.a & REVERSE
+        block = BLOCKS - 1 - self.block if back else self.block
+        sums = drive.read(block, WORDS)
+        wrong = 0o77 ^ drive.sum(block) ^ sums >> 6 ^ sums & 0o77
+        if self.a >> 3 & 7 == WRITE:
+            drive.write(block, WORDS, sums ^ (wrong << 6 if back else wrong))
+        elif wrong:
+            self.b |= ERROR | PARITY
+            self._flags()
+        if self.over or not self.a & CONTINUOUS:
+            self._done()
+        self.block += 1
+        self.word = 0
+        self._plan_word(now)
+
     def _next_word(self, now: int) -> None:
         """The tape has come to the next word of a block."""
         reads = self.a >> 3 & 7 == READ
         if self.over and self.word == 0:
             self._plan_zone(now)
             return
-        if reads:
-            self.buffer = self._read(self.word)
-        elif self.word > 0:
-            self._write(self.word - 1)
-        if self.word == WORDS or (reads and self.over):
+        if self.over and reads:
             self._plan_check(now)
             return
+        if reads:
+            self.buffer = self._read(self.word)
+        elif self.over:
+            self._write(BESIDE + self.word, 0)
         self.word += 1
-        if reads and self.word == WORDS:
+        if self.word == WORDS:
             self._plan_check(now)
         else:
             self._plan_word(now)
-        if self.over:
-            self.buffer = 0
-        else:
+        if not self.over:
             self._ask(1 if reads else 0, 1, now)
 
     def _next_of_all(self, now: int) -> None:
         """The tape has come to the next four lines."""
         reads = self.a >> 3 & 7 == READ_ALL
-        if reads:
-            self.buffer = self._lines(_line_of(self.word))
-        elif BESIDE < self.word <= BESIDE + WORDS:
-            self._write(self.word - BESIDE - 1)
         if self.over:
             self._plan_zone(now)
             return
-        self._count_on()
-        self._plan_word(now)
-        self._ask(1 if reads else 0, 1, now)
-
-    def _count_on(self) -> None:
-        """Go on to the next four lines."""
+        if reads:
+            self.buffer = self._group()
         self.word += 1
         if self.word == GROUPS:
             self.block += 1
             self.word = 0
+        self._plan_word(now)
+        self._ask(1 if reads else 0, 1, now)
 
     def _ask(self, into_core: int, counts_address: int, now: int) -> None:
         """Raise BRK RQ; it has to be accepted before what is planned."""
@@ -349,9 +355,12 @@ class TC08(BreakDevice):
         return self.buffer
 
     def take(self, word: int, now: int) -> None:
-        """Take the word that will be written."""
-        self.buffer = word
-        if self.a >> 3 & 7 == WRITE_ALL and (self.over or not self.a & CONTINUOUS):
+        """Write a word that core has given."""
+        if self.a >> 3 & 7 == WRITE:
+            self._write(BESIDE + self.word - 1, word)
+            return
+        self._write(self.word - 1, word)
+        if self.over or not self.a & CONTINUOUS:
             self._done()
 
     def _read(self, word: int) -> int:
@@ -360,38 +369,43 @@ class TC08(BreakDevice):
             return turned(self.drive.read(BLOCKS - 1 - self.block, WORDS - 1 - word))
         return self.drive.read(self.block, word)
 
-    def _write(self, word: int) -> None:
+    def _write(self, group: int, value: int) -> None:
+        """Write four lines, as far as they hold a word or a checksum."""
+        block, word = self.block, group - BESIDE
         if self.a & REVERSE:
-            self.drive.write(BLOCKS - 1 - self.block, WORDS - 1 - word, turned(self.buffer))
-        else:
-            self.drive.write(self.block, word, self.buffer)
+            block, word, value = BLOCKS - 1 - block, WORDS - 1 - word, turned(value)
+        if 0 <= word < WORDS:
+            self.drive.write(block, word, value)
+        elif word in (-1, WORDS):
+            sums = self.drive.read(block, WORDS)
+            new = sums & 0o77 | (value & 0o77) << 6 if word < 0 else sums & 0o7700 | value >> 6
+            self.drive.write(block, WORDS, new)
 
-    def _lines(self, first: int) -> int:
-        """Return four lines of the block, the first from the end at which motion begins."""
-        found = 0
+    def _group(self) -> int:
+        """Return the next four lines, as they are read in this direction."""
+        found, first = 0, BLOCK_LINES * self.block + FIRST + WORD * self.word
         for line in range(first, first + WORD):
-            found = found << 3 | self._line(line)
+            found = found << 3 | (
+                7 ^ self._line(BLOCKS * BLOCK_LINES - 1 - line) if self.a & REVERSE else self._line(line)
+            )
         return found
 
-    def _line(self, line: int) -> int:
-        """Return the three bits of a line, as they are read in this direction."""
-        word, part = divmod(line - HEADER, WORD)
+    def _line(self, at: int) -> int:
+        """Return the three bits of a line, counted from block 0 on, as they are read forwards."""
+        block, line = at // BLOCK_LINES, at % BLOCK_LINES
+        word, part = (line - HEADER) // WORD, (line - HEADER) % WORD
+        if at < 0 or block >= BLOCKS:
+            return 0
         if 0 <= word < WORDS:
-            return self._read(word) >> 9 - 3 * part & 7
-        if 6 <= line < NUMBER:
-            number = self.block if not self.a & REVERSE else BLOCKS - 1 - self.block
-            return number >> 3 * (NUMBER - 1 - line) & 7
-        if line in (BLOCK_LINES - HEADER, BLOCK_LINES - HEADER + 1):
-            return self._checksum() >> 3 * (BLOCK_LINES - HEADER + 1 - line) & 7
+            return self.drive.read(block, word) >> 9 - 3 * part & 7
+        if line < NUMBER:
+            return block >> min(3 * (NUMBER - 1 - line), 12) & 7
+        if line >= BLOCK_LINES - NUMBER:
+            return 7 ^ block >> min(3 * (line - BLOCK_LINES + NUMBER), 12) & 7
+        if HEADER - 2 <= line < CHECKED - 2:
+            last = HEADER + 1 if line < HEADER else CHECKED - 3
+            return self.drive.read(block, WORDS) >> 3 * (last - line) & 7
         return 0
-
-    def _checksum(self) -> int:
-        """Return the checksum of the block: the complement of its halves of words, added without carry."""
-        found = 0o77
-        for word in range(WORDS):
-            value = self._read(word)
-            found ^= value >> 6 ^ value & 0o77
-        return found ^ 0o77
 
 
 class Door(Device):
@@ -418,13 +432,6 @@ class Door(Device):
         """The control clears the flag."""
 
 
-def _first(at: int, before: int) -> int:
-    """Return the first block whose line `before` is not passed at `at`."""
-    return max(-((END_ZONE * LINE - at + before * LINE) // (BLOCK_LINES * LINE)), 0)
-
-
-def _line_of(group: int) -> int:
-    """Return the first line of a group of four, counted anew from the first word on."""
-    if group < BESIDE:
-        return WORD * group
-    return HEADER + WORD * (group - BESIDE)
+def _first(at: int, before: int, lines: int = BLOCK_LINES) -> int:
+    """Return the first block, or other unit of `lines`, whose line `before` is not passed at `at`."""
+    return max(-((END_ZONE * LINE - at + before * LINE) // (lines * LINE)), 0)

@@ -55,7 +55,7 @@ class Transport:
         self.image: Image | None = None
         """The tape as it was mounted."""
         self.blocks: dict[int, array[int]] = {}
-        """What was written since, by blocks."""
+        """What was written since, by blocks: their words and checksums."""
         self.locked = 0
         """WRITE LOCK."""
         self.phase = STOPPED
@@ -70,7 +70,7 @@ class Transport:
 
     @property
     def changed(self) -> bytes:
-        """The blocks that were written: each its number in two frames, and its words in two frames each."""
+        """The blocks that were written: each its number, words and checksums in two frames each."""
         found = bytearray()
         for number in sorted(self.blocks):
             for word in (number, *self.blocks[number]):
@@ -80,9 +80,9 @@ class Transport:
     @changed.setter
     def changed(self, content: bytes) -> None:
         words = [content[at] << 8 | content[at + 1] for at in range(0, len(content) - 1, 2)]
-        rows = [words[at : at + WORDS + 1] for at in range(0, len(words), WORDS + 1)]
-        if any(len(row) <= WORDS or row[0] >= BLOCKS or max(row) > 0o7777 for row in rows):
-            raise ValueError("blocks of a DECtape are expected, a number and 129 words each")
+        rows = [words[at : at + WORDS + 2] for at in range(0, len(words), WORDS + 2)]
+        if any(len(row) < WORDS + 2 or row[0] >= BLOCKS or max(row) > 0o7777 for row in rows):
+            raise ValueError("blocks of a DECtape are expected, a number, 129 words and checksums each")
         self.blocks = {row[0]: array("H", row[1:]) for row in rows}
 
     def mount(self, image: Image | None, locked: bool = False) -> None:
@@ -98,25 +98,32 @@ class Transport:
             return self.image
         words = self.image.words[:]
         for number, row in self.blocks.items():
-            for place, word in enumerate(row, WORDS * number):
-                words[place] = word
+            for place in range(WORDS):
+                words[WORDS * number + place] = row[place]
         return Image(words, self.image.width)
 
     def read(self, block: int, word: int) -> int:
-        """Return a word of the tape."""
+        """Return a word of a block, or after the last one its two checksums, in front and behind."""
         if block in self.blocks:
             return self.blocks[block][word]
         assert self.image is not None
-        return self.image.words[WORDS * block + word]
+        return self.image.words[WORDS * block + word] if word < WORDS else 0o77 ^ self.sum(block)
 
     def write(self, block: int, word: int, value: int) -> None:
-        """Change a word of the tape."""
-        assert self.image is not None
+        """Change what `read` returns."""
+        if value == self.read(block, word):
+            return
         if block not in self.blocks:
-            if value == self.image.words[WORDS * block + word]:
-                return
-            self.blocks[block] = self.image.words[WORDS * block : WORDS * (block + 1)]
+            self.blocks[block] = array("H", [self.read(block, place) for place in range(WORDS + 1)])
         self.blocks[block][word] = value
+
+    def sum(self, block: int) -> int:
+        """Return the sum without carry of the halves of the block's words."""
+        found = 0
+        for word in range(WORDS):
+            value = self.read(block, word)
+            found ^= value >> 6 ^ value
+        return found & 0o77
 
     def position(self, now: int) -> int:
         """Return where the tape is at tick `now`."""

@@ -64,7 +64,7 @@ def test_words_come_each_after_four_lines_and_the_flag_with_the_checksum() -> No
     b, time = command(m, SEARCH ^ READ, WORDS, clears=False)  # the tape goes on, and block 5 is read
     assert b & 0o7707 == 1
     assert m.core[0o1000:0o1201] == [5] * WORDS
-    assert time == pytest.approx((18 + 4 * 129 + 6) * LINE, abs=20e-6)
+    assert time == pytest.approx((18 + 4 * 129 + 3.5) * LINE, abs=20e-6)
 
 
 def test_a_block_is_19_2_milliseconds() -> None:
@@ -95,6 +95,50 @@ def test_what_is_written_is_read_and_the_rest_of_the_block_is_zeros() -> None:
     assert list(written.words[6 * WORDS : 7 * WORDS]) == [6] * WORDS
 
 
+BETWEEN = (
+    "7200 0 0 0 0027 7777 7777 7700 0 0 0600 0 0 0 0",
+    "7777 7777 7777 7777 7717 7777 7777 7700 0 0 0577 7777 7777 7777 7750",
+)
+"""From the words of a block to those of the next, as the gates of drovak/verilogpdp read what DEC's formatter
+writes: blocks 5 and 6, whose words are 5 and 6, and backwards 6 and 5.
+"""
+
+
+def test_read_all_reads_every_line_in_groups_of_four() -> None:
+    m, _ = at_block(5)
+    assert command(m, SEARCH ^ READ_ALL, 0o225, clears=False)[0] & 0o7707 == 1
+    assert m.core[0o1000:0o1005] == [0o500, 0, 0, 0, 0]
+    assert m.core[0o1005:0o1206] == [5] * WORDS
+    assert m.core[0o1206:0o1225] == [int(word, 8) for word in BETWEEN[0].split()]
+    command(m, BACKWARDS | GO | SEARCH, 1, 0o100)
+    while m.core[0o100] != 6:
+        command(m, 0, 1, 0o100, clears=False)
+    assert command(m, SEARCH ^ READ_ALL ^ CONTINUOUS, 0o225, clears=False)[0] & 0o7707 == 1
+    assert m.core[0o1000:0o1005] == [0o677, 0o7777, 0o7777, 0o7777, 0o7760]
+    assert m.core[0o1005:0o1206] == [turned(6)] * WORDS
+    assert m.core[0o1206:0o1225] == [int(word, 8) for word in BETWEEN[1].split()]
+
+
+def test_a_block_changed_by_write_all_is_a_parity_error_until_it_is_written() -> None:
+    m, control = at_block(5)
+    assert command(m, SEARCH ^ WRITE_ALL, 0o20, clears=False)[0] & 0o7707 == 1
+    assert list(control.drives[0].blocks[5]) == [*[0] * 13, *[5] * 116, 0o72]
+    for function, status in ((READ, 0o4201), (WRITE, 1), (READ, 1)):
+        command(m, BACKWARDS | GO)
+        command(m, GO | SEARCH | CONTINUOUS, 6, 0o100)
+        assert command(m, SEARCH ^ function, WORDS, clears=False)[0] & 0o7707 == status
+        assert control.a & GO  # a parity error does not stop the tape
+
+
+def test_read_and_write_are_too_late_within_a_block() -> None:
+    for function in (READ, WRITE):
+        m, _ = at_block(5)
+        m.load(core("5200"))
+        m.pc = 0o200
+        m.run(0.004)
+        assert command(m, SEARCH ^ function, WORDS, clears=False)[0] & 0o7707 == 0o4100
+
+
 def test_power_off_in_a_block_leaves_what_was_written() -> None:
     m, control = at_block(5)
     m.core[0o1000:0o1201] = range(0o100, 0o301)
@@ -103,7 +147,7 @@ def test_power_off_in_a_block_leaves_what_was_written() -> None:
     m.stop()
     m.pc, m.ac = 0o200, 0
     m.run(0.006)
-    block = control.drives[0].blocks[5]
+    block = control.drives[0].blocks[5][:WORDS]
     on_tape = next(word for word in range(WORDS) if block[word] == 5)
     assert list(block) == [*range(0o100, 0o100 + on_tape), *[5] * (WORDS - on_tape)]
     assert 35 < on_tape < 45

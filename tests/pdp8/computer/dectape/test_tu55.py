@@ -37,7 +37,7 @@ def test_what_was_written_is_in_the_order_of_blocks_and_not_on_the_reel_that_was
     other.changed = one.changed
     assert other.read(BLOCKS - 1, 128) == 0o7070
     high = bytes([BLOCKS >> 8, BLOCKS & 0o377])
-    for wrong in (one.changed[:-1], one.changed[:-260] + high + one.changed[-258:]):
+    for wrong in (one.changed[:-1], one.changed[:-262] + high + one.changed[-260:]):
         with pytest.raises(ValueError, match="blocks of a DECtape"):
             other.changed = wrong
 
