@@ -54,7 +54,7 @@ def test_with_one_line_it_comes_with_the_machine_and_the_page_has_it(
         text.replace("from", "from pdp8.computer.hardware.clock import Clock\nfrom", 1),
     )
     listed["pdp8.computer.hardware.clock"] = ("clock.py", Path("clock.py").read_text())
-    made = translate(listed, translator.OMITTED, translator.runtime(), trusted=translator.TRUSTED)
+    made = translate(listed, translator.OMITTED, trusted=translator.TRUSTED)
     write(tmp_path / "page", made)
     machine, clock = Machine(), fitting.devices(["clock.py:Clock"])[0]
     machine.fit(clock())

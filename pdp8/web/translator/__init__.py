@@ -108,21 +108,18 @@ def translated(checked: bool = False) -> dict[str, str]:
     `checked`, the form that tests run: in what is COMPILED too every index and number is looked at.
     """
     sources, unchecked = _sources(), frozenset[str]() if checked else COMPILED
-    parts = ("types", "assigned", "program", "inference", "expressions", "statements", "modules")
-    own = [_source(__package__, name)[1] for name in parts] + [library()]
-    content = repr((sources, OMITTED, TRUSTED, sorted(unchecked), own, runtime()))
+    content = repr((sources, OMITTED, TRUSTED, sorted(unchecked), _own()))
     name = "checked" if checked else "translated"
-    made = lambda: translate(sources, OMITTED, runtime(), unchecked=unchecked, trusted=TRUSTED)  # noqa: E731
+    made = lambda: translate(sources, OMITTED, unchecked=unchecked, trusted=TRUSTED)  # noqa: E731
     return dict(kept(name, content, made))
 
 
 @cache
 def declared() -> dict[str, str]:
     """Return what all modules and the runtime declare for TypeScript, {name: text}, likewise."""
-    sources, parts = _sources(), ("types", "program", "inference", "declarations")
-    own = [_source(__package__, name)[1] for name in parts] + [library()]
-    content = repr((sources, OMITTED, own))
-    return dict(kept("declared", content, lambda: declare(sources, OMITTED, runtime())))
+    sources = _sources()
+    content = repr((sources, OMITTED, _own()))
+    return dict(kept("declared", content, lambda: declare(sources, OMITTED)))
 
 
 def faults() -> list[str]:
@@ -131,8 +128,13 @@ def faults() -> list[str]:
     try:
         translated()  # there is nothing to do if no source has changed
     except Untranslated:
-        translate(_sources(), OMITTED, runtime(), found.append, COMPILED, TRUSTED)
+        translate(_sources(), OMITTED, found.append, COMPILED, TRUSTED)
     return found
+
+
+def _own() -> list[str]:
+    """Return what the translator itself is made of."""
+    return [_source(__package__, name)[1] for name in _all(__package__)] + [library()]
 
 
 def _sources() -> dict[str, tuple[str, str]]:

@@ -7,8 +7,8 @@ have none is refused: one that is set only in a branch, or in a loop that may no
 import ast
 from collections.abc import Callable, Iterable
 
-_INNER = ast.FunctionDef | ast.Lambda | ast.ClassDef
-_COMPREHENSIONS = ast.ListComp | ast.SetComp | ast.DictComp | ast.GeneratorExp
+_Names = frozenset[str] | None
+"""The names that have a value; None where nothing comes."""
 
 
 class Assigned:
@@ -27,7 +27,7 @@ class Assigned:
         self._ends = ends
         self._breaks: list[list[frozenset[str]]] = []
 
-    def after(self, body: list[ast.stmt], known: frozenset[str] | None) -> frozenset[str] | None:
+    def after(self, body: list[ast.stmt], known: _Names) -> _Names:
         """Return the names that have a value behind these statements; None if nothing comes there."""
         for node in body:
             if known is None:
@@ -35,7 +35,7 @@ class Assigned:
             known = self._statement(node, known)
         return known
 
-    def _statement(self, node: ast.stmt, known: frozenset[str]) -> frozenset[str] | None:
+    def _statement(self, node: ast.stmt, known: frozenset[str]) -> _Names:
         match node:
             case ast.If(test, body, other):
                 where_true = self._if_true(test, known)
@@ -49,14 +49,11 @@ class Assigned:
                 inside = known | _set_in(target)
                 return self._loop(body, inside, inside if _runs(self._constant(source)) else known)
             case ast.Try(body, handlers, _, last):
-                ends = [self.after(body, known)]
+                found = self.after(body, known)
                 for handler in handlers:
-                    ends.append(self.after(handler.body, known | {handler.name or ""}))
-                found = ends[0]
-                for end in ends[1:]:
-                    found = _both(found, end)
-                self.after(last, known)
-                return found if found is None else found | _of_all(last)
+                    found = _both(found, self.after(handler.body, known | {handler.name or ""}))
+                end = self.after(last, known)
+                return found | end if found is not None and end is not None else None
             case ast.With(items, body):
                 for item in items:
                     known = self._read(item.context_expr, known)
@@ -80,9 +77,7 @@ class Assigned:
                 return None
         return self._read(node, known) | _set_in(node)
 
-    def _loop(
-        self, body: list[ast.stmt], known: frozenset[str], after: frozenset[str] | None
-    ) -> frozenset[str] | None:
+    def _loop(self, body: list[ast.stmt], known: frozenset[str], after: _Names) -> _Names:
         self._breaks.append([])
         end = self.after(body, known)
         if after is known and end is not None:  # it runs at least once
@@ -100,39 +95,36 @@ class Assigned:
 
     def _read(self, node: ast.AST, known: frozenset[str]) -> frozenset[str]:
         """Refuse a name that may have no value; return what is known behind the expression."""
-        if isinstance(node, ast.Name):
-            if isinstance(node.ctx, ast.Load) and node.id in self._local - known:
+        match node:
+            case ast.Name(name, ast.Load()) if name in self._local - known:
                 self._refuse(node, "it may have no value here")
-            return known
-        if isinstance(node, _INNER):
-            return known
-        if isinstance(node, _COMPREHENSIONS):
-            inner = known
-            for generator in node.generators:
-                inner = self._read(generator.iter, inner) | _set_in(generator.target)
-                for test in generator.ifs:
-                    inner = self._read(test, inner)
-            for part in (node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,):
-                self._read(part, inner)
-            return known
-        if isinstance(node, ast.NamedExpr):
-            return self._read(node.value, known) | _set_in(node.target)
-        if isinstance(node, ast.BoolOp):
-            first = inner = self._read(node.values[0], known)
-            for value in node.values[1:]:
-                inner = self._read(value, inner)
-            return first
-        if isinstance(node, ast.IfExp):
-            tested = self._read(node.test, known)
-            self._read(node.body, self._if_true(node.test, known))
-            self._read(node.orelse, tested)
-            return tested
-        for child in ast.iter_child_nodes(node):
-            known = self._read(child, known)
+            case ast.Name() | ast.FunctionDef() | ast.Lambda() | ast.ClassDef():
+                pass
+            case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+                inner = known
+                for generator in node.generators:
+                    inner = self._read(generator.iter, inner) | _set_in(generator.target)
+                    for test in generator.ifs:
+                        inner = self._read(test, inner)
+                for part in (node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,):
+                    self._read(part, inner)
+            case ast.NamedExpr(target, value):
+                return self._read(value, known) | _set_in(target)
+            case ast.BoolOp(_, [first, *rest]):
+                known = inner = self._read(first, known)
+                for value in rest:
+                    inner = self._read(value, inner)
+            case ast.IfExp(test, body, other):
+                self._read(body, self._if_true(test, known))
+                known = self._read(test, known)
+                self._read(other, known)
+            case _:
+                for child in ast.iter_child_nodes(node):
+                    known = self._read(child, known)
         return known
 
 
-def _both(one: frozenset[str] | None, other: frozenset[str] | None) -> frozenset[str] | None:
+def _both(one: _Names, other: _Names) -> _Names:
     if one is None or other is None:
         return other if one is None else one
     return one & other
@@ -142,12 +134,6 @@ def _set_in(node: ast.AST) -> frozenset[str]:
     """Return the names that a target or a plain statement sets."""
     return frozenset(
         each.id for each in ast.walk(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
-    )
-
-
-def _of_all(body: list[ast.stmt]) -> frozenset[str]:
-    return frozenset().union(
-        *(_set_in(each) for each in body if isinstance(each, ast.Assign | ast.AnnAssign))
     )
 
 

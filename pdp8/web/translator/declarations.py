@@ -10,10 +10,10 @@ import re
 from collections.abc import Iterator
 
 from pdp8.web.translator.expressions import member, named
-from pdp8.web.translator.inference import Types, _set_in
+from pdp8.web.translator.inference import Types
 from pdp8.web.translator.modules import library
-from pdp8.web.translator.program import PROPERTIES, Found, Module, Program
-from pdp8.web.translator.types import ANY, Type, leaf
+from pdp8.web.translator.program import PROPERTIES, Found, Module, Program, targets
+from pdp8.web.translator.types import Type, leaf
 
 _NAMES = {
     "?": "unknown", "unseen": "never", "None": "null", "word": "number", "int": "number", "float": "number",
@@ -106,8 +106,8 @@ class Declarations(Types):
             yield f"export const {named(name)}: {self.written(self._named_type(ast.Name(name)))};"
 
     def _enumeration(self, of: Found) -> Iterator[str]:
-        names = " | ".join(f'"{name}"' for each in of.node.body for name in _targets(each))
-        value = self.written(self._enumerated(of.kind) or ANY)
+        names = " | ".join(f'"{name}"' for each in of.node.body for name in targets(each))
+        value = self.written(self.plain(of.kind))
         yield f"export type {of.node.name} = {value};"
         yield f"export const {of.node.name}: Iterable<{value}> & {{ readonly [name in {names}]: {value} }};"
 
@@ -119,16 +119,15 @@ class Declarations(Types):
         yield f"export {'interface' if protocol else 'class'} {named(node.name)}{extends} {{"
         fields = dict(self.fields_of(of)) if of.fields is not None else {}
         if of.fields is not None:
-            lineage = reversed([*self.program.lineage(of)])
-            values = {leaf(each.target): each.value for one in lineage for each in one.fields or []}
-            yield f"constructor({self._parameters((name, fields[name], values[name]) for name in values)});"
+            own = [(each.name, fields[each.name], each.default) for each in self.program.fields(of)]
+            yield f"constructor({self._parameters(own)});"
         if of.is_tuple:
             of_all = " | ".join(dict.fromkeys(map(self.written, fields.values())))
             yield f"[Symbol.iterator](): ArrayIterator<{of_all}>;"
-        inherited = {name for each in [*self.program.lineage(of)][1:] for name in _members(each.node)}
-        static = {name for part in node.body for name in _targets(part)} if not (fields or protocol) else ()
+        inherited = {name for each in [*self.program.lineage(of)][1:] for name in each.members}
+        static = () if fields or protocol else {name for part in node.body for name in targets(part)}
         methods = {part.name for part in node.body if isinstance(part, ast.FunctionDef)}
-        for name in sorted(_members(node) - methods - inherited):
+        for name in sorted(of.members - methods - inherited):
             if name[0] != "_":
                 attribute = f"{member(name)}: {self.written(self.of_class(self.owner, name)[0])};"
                 yield attribute
@@ -164,27 +163,18 @@ class Declarations(Types):
                     yield f"static {signature}"
 
     def _signature(self, node: ast.FunctionDef) -> str:
-        args = node.args
-        places = [*args.posonlyargs, *args.args]
-        defaults = [*[None] * (len(places) - len(args.defaults)), *args.defaults]
         kinds = self.parameters(node)
-        pairs: list[tuple[ast.arg | None, ast.expr | None]] = [*zip(places, defaults, strict=True)]
-        pairs += [
-            (args.vararg, None),
-            *zip(args.kwonlyargs, args.kw_defaults, strict=True),
-            (args.kwarg, None),
-        ]
-        given = ((each.arg, kinds[each.arg], value) for each, value in pairs if each and each.arg != "self")
-        written = self._parameters(given)
+        own = [each for each in Found(self.module, node).parameters if each.name != "self"]
+        written = self._parameters([(each.name, kinds[each.name], each.default) for each in own])
         returned = self.written(self.annotated(node.returns))
         text = f"({written}): {'void' if returned == 'null' else returned}"
         free = sorted({*re.findall(r"\b[A-Z]\b", text)} - self.own)
         return f"<{', '.join(free)}>{text}" if free else text
 
-    def _parameters(self, given: Iterator[tuple[str, Type, ast.expr | None]]) -> str:
+    def _parameters(self, given: list[tuple[str, Type, ast.expr | None]]) -> str:
         """Return parameters, of (name, type, default): the last ones that have a default may be left out."""
         found, last = list[str](), True
-        for name, kind, default in reversed([*given]):
+        for name, kind, default in reversed(given):
             last = last and default is not None
             text = self.written(kind) + (" | undefined" if default is not None and not last else "")
             found.append(f"{named(name)}{'?' * last}: {text}")
@@ -195,7 +185,7 @@ class Declarations(Types):
         if kind.name[0] == "~":
             return kind.name[1:]
         of = self.program.classes.get(kind.name)
-        if of and not of.module.table:
+        if of and of.ours:
             return self._named(of)
         inner = [*map(self.written, kind.of)]
         if kind.name == "|":
@@ -210,7 +200,7 @@ class Declarations(Types):
     def _named(self, of: Found) -> str:
         """Return the name of a class, through its module if it is another's."""
         name = named(of.node.name)
-        if of.module.table:
+        if not of.ours:
             return f"$.{name}"
         if of.module is self.module:
             return name
@@ -218,22 +208,10 @@ class Declarations(Types):
         return f"{of.module.name.replace('.', '_')}.{name}"
 
 
-def _targets(node: ast.AST) -> list[str]:
-    """Return the names that a statement of a class or a module sets."""
-    return [*map(leaf, [node.target] if isinstance(node, ast.AnnAssign) else getattr(node, "targets", []))]
-
-
-def _members(node: ast.ClassDef) -> set[str]:
-    """Return the names that a class itself has: what it sets, its methods and what they set."""
-    methods = [part for part in node.body if isinstance(part, ast.FunctionDef)]
-    names = {name for part in node.body for name in _targets(part)}
-    return names.union([each.name for each in methods], *map(_set_in, methods))
-
-
-def declare(modules: dict[str, tuple[str, str]], omitted: dict[str, str], runtime: str) -> dict[str, str]:
+def declare(modules: dict[str, tuple[str, str]], omitted: dict[str, str]) -> dict[str, str]:
     """Return the declarations of each of the `modules` and of the runtime, {name: text}; see `translate`."""
     read = [Module(name, *source, omitted.get(name, "").split()) for name, source in modules.items()]
-    program = Program(read, library(), runtime)
+    program = Program(read, library())
     found = {name: Declarations(program, module).text() for name, module in program.modules.items()}
     own = Declarations(program, program.library["builtins"])
     return found | {"pdp8.web.translator.runtime": own.runtime()}

@@ -7,18 +7,17 @@ Nothing is refused here: where nothing is known the type is ANY. What a test say
 import ast
 import re
 from collections import ChainMap
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache
 
-from pdp8.web.translator.program import Found, Module, Program
+from pdp8.web.translator.operators import OPERATORS, arithmetic
+from pdp8.web.translator.program import Found, Module, Parameter, Program, own, set_in
 from pdp8.web.translator.types import (
     ANY,
     BOOL,
     BYTEARRAY,
     BYTES,
     FLOAT,
-    FLOATS,
     INT,
     NONE,
     NUMBERS,
@@ -52,55 +51,17 @@ _GENERIC = {
     "Sequence": "sequence", "Iterable": "iterable", "Collection": "collection", "Unordered": "unordered",
     "Iterator": "iterator", "Generator": "iterator", "View": "view", "range": "range", "Pattern": "Pattern",
 }  # fmt: skip
+_MARKS = (
+    "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "Keys", "JSON", "Character", "Base",
+)  # fmt: skip
+"""Annotations whose type is that of what they are of; library.pyi says what else they ask for."""
 _TABLE = {"word": "int", "real": "float", "row": "tuple"}
+"""Where library.pyi has the methods of a type that it has no class of that name for."""
+_OPEN = {"list": Type("list", (ANY,)), "dict": Type("dict", (STR, ANY)), "tuple": Type("row", (ANY,))}
+"""What an instance of a class is of which nothing else is known."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler | ast.Expr
-_CLOSED = (
-    ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
-)
 _SEQUENCES = ("sequence", "list", "tuple", "row", "bytes", "bytearray", "words", "range", "str")
 _ITERABLES = (*_SEQUENCES, "iterable", "iterator", "view", "dict")
-DUNDERS: dict[type[ast.operator], str] = {
-    ast.Add: "__add__",
-    ast.Sub: "__sub__",
-    ast.Mult: "__mul__",
-    ast.Div: "__truediv__",
-}
-"""The methods of classes of ours that the runtime's operators call."""
-_PLACED = ("list", "row", "sequence", "str", "bytes", "bytearray", "words", "range")
-
-
-def arithmetic(operator: ast.operator, left: Type, right: Type) -> Type:
-    """Return the type of `left operator right`."""
-    left, right = (
-        (INT if each == BOOL else each for each in (left, right)) if left != right else (left, right)
-    )
-    if isinstance(operator, ast.BitAnd) and WORD in (left, right):
-        return WORD
-    if left in NUMBERS and right in NUMBERS:
-        if isinstance(operator, ast.Div) or FLOAT in (left, right):
-            return FLOAT
-        if isinstance(operator, ast.Pow):
-            fits = right == WORD or left == right == REAL
-            return ANY if not fits else REAL if REAL in (left, right) else INT
-        if REAL in (left, right):
-            return REAL
-        same = left == right == WORD and isinstance(operator, ast.BitOr | ast.BitXor | ast.Mod | ast.FloorDiv)
-        return WORD if same or (left == WORD and isinstance(operator, ast.RShift)) else INT
-    if left == right == BOOL:
-        return BOOL if isinstance(operator, ast.BitAnd | ast.BitOr | ast.BitXor) else INT
-    if isinstance(operator, ast.Mult) and INT in map(widened, (left, right)):
-        of = right if left in WHOLE else left
-        if of.name == "tuple":
-            return Type("row", (item_of(of),))
-        return of if of.name in ("str", "bytes", "list", "row", "bytearray") else ANY
-    if isinstance(operator, ast.Add) and left.name == right.name == "tuple":
-        return Type("tuple", left.of + right.of)
-    if isinstance(operator, ast.Add) and {left.name, right.name} <= {"tuple", "row"}:
-        return Type("row", (join(item_of(left), item_of(right)),))
-    if left.name == "Fraction" or right.name == "Fraction":
-        return FLOAT if left in FLOATS else left if left.name == "Fraction" else ANY
-    joined = join(left, right)
-    return joined if joined.name == left.name == right.name else ANY
 
 
 class Types:
@@ -117,6 +78,18 @@ class Types:
         """What tests have said of expressions: {source: type}."""
         self.lambdas: dict[ast.AST, list[Type]] = {}
         """The types of the parameters of functions that are given to others."""
+
+    @contextmanager
+    def naming(self, names: Mapping[str, Type]) -> Iterator[None]:
+        """Know these names; forget them afterwards, and what has been said meanwhile."""
+        scope, held = self.scope, self.held
+        self.scope, self.held = scope.new_child(dict(names)), dict(held)
+        for name in names:
+            self.forget(name)
+        try:
+            yield
+        finally:
+            self.scope, self.held = scope, held
 
     # Annotations.
 
@@ -157,24 +130,21 @@ class Types:
         return ANY
 
     def _generic(self, name: str, items: list[ast.expr], module: Module) -> Type:
-        if name in ("Annotated", "Final", "ClassVar"):
+        if name in _MARKS:
             return self.annotated(items[0], module)
         if name == "Literal":
             return join(*(_PLAIN.get(type(getattr(each, "value", None)).__name__, ANY) for each in items))
         if name == "Callable":
             taken, returned = items
-            takes = (
-                [self.annotated(each, module) for each in taken.elts] if isinstance(taken, ast.List) else []
-            )
-            return Type("call", (self.annotated(returned, module), *takes))
-        kinds = [
-            self.annotated(each, module) for each in items if getattr(each, "value", None) is not Ellipsis
-        ]
+            takes = taken.elts if isinstance(taken, ast.List) else []
+            return Type("call", tuple(self.annotated(each, module) for each in (returned, *takes)))
+        named = [each for each in items if getattr(each, "value", None) is not Ellipsis]
+        kinds = [self.annotated(each, module) for each in named]
         if name == "tuple":
             return Type("row" if len(kinds) < len(items) else "tuple", tuple(kinds))
         if name in ("array", "MutableSequence"):
             return WORDS
-        return made(_GENERIC[name], *kinds[: 1 + (_GENERIC[name] == "dict")]) if name in _GENERIC else ANY
+        return made(_GENERIC[name], *kinds[: 1 + (name in ("dict", "Mapping"))]) if name in _GENERIC else ANY
 
     # Classes and what they have.
 
@@ -191,63 +161,55 @@ class Types:
     def _of_class(self, of: Found, attribute: str) -> tuple[Type, Found | None]:
         for each in self.program.lineage(of):
             inner = Types(self.program, each.module, each.kind.name)
-            for member in each.node.body:
-                if isinstance(member, ast.FunctionDef) and member.name == attribute:
+            match member := each.declared.get(attribute):
+                case ast.FunctionDef():
                     return inner.annotated(member.returns), each._replace(node=member)
-                if isinstance(member, ast.AnnAssign) and leaf(member.target) == attribute:
+                case ast.AnnAssign():
                     return inner.annotated(member.annotation), None
-            kinds: list[Type] = []
-            for method in each.node.body:
-                if kinds and kinds[0] != ANY and UNSEEN not in kinds[0].of:
-                    break
-                if isinstance(method, ast.FunctionDef) and attribute in _set_in(method):
-                    inner.scope = ChainMap(inner.parameters(method))
-                    inner.learn(method.body)
-                    sets = (pair for node in own(method.body) for pair in inner._set_by(node))
-                    found = [kind for target, kind in sets if getattr(target, "attr", "") == attribute]
-                    kinds += [kind for kind in found if kind != ANY]  # x += 1 needs what it is itself
-            if kinds:
-                return widened(join(*kinds) if UNSEEN in kinds[0].of else kinds[0]), None
-            for member in each.node.body:
-                if isinstance(member, ast.Assign) and attribute in map(leaf, member.targets):
-                    return (each.kind if each.is_enum else widened(inner.infer(member.value))), None
+            if kind := inner._set_in_methods(each, attribute):
+                return widened(kind), None
+            if isinstance(member, ast.Assign):
+                return (each.kind if each.is_enum else widened(inner.infer(member.value))), None
         return ANY, None
+
+    def _set_in_methods(self, of: Found, attribute: str) -> Type | None:
+        """Return the type of what methods assign to an attribute: the first of them, if it says enough."""
+        kinds: list[Type] = []
+        for method in of.node.body:
+            if kinds and UNSEEN not in kinds[0].of:
+                return kinds[0]
+            if isinstance(method, ast.FunctionDef) and attribute in set_in(method):
+                self.scope = ChainMap(self.parameters(method))
+                self.learn(method.body)
+                sets = (pair for node in own(method.body) for pair in self._set_by(node))
+                found = [kind for target, kind in sets if getattr(target, "attr", "") == attribute]
+                kinds += [kind for kind in found if kind != ANY]  # x += 1 needs what it is itself
+        if not kinds:
+            return None
+        return join(*kinds) if UNSEEN in kinds[0].of else kinds[0]
+
+    def ours(self, kind: Type) -> Found | None:
+        """Return the class of ours that `kind` is, if it is one."""
+        of = self.program.classes.get(kind.name)
+        return of if of and of.ours else None
 
     def has(self, kind: Type, name: str) -> bool:
         """Whether something of `kind` has an attribute or method `name`."""
-        key = (kind.name, name)
-        if key not in self.program.present:
-            self.program.present[key] = self._has(kind, name)
-        return self.program.present[key]
+        of = self.program.classes.get(_TABLE.get(kind.name, kind.name))
+        return bool(of and not of.is_enum and any(name in each.members for each in self.program.lineage(of)))
 
-    def _has(self, kind: Type, name: str) -> bool:
-        of = self.program.classes.get(
-            {"word": "int", "real": "float", "row": "tuple"}.get(kind.name, kind.name)
-        )
-        if of is None:
-            return False
-        if self._enumerated(kind):
-            return False
-        for each in self.program.lineage(of):
-            for node in each.node.body:
-                if isinstance(node, ast.FunctionDef) and (node.name == name or name in _set_in(node)):
-                    return True
-                targets = [node.target] if isinstance(node, ast.AnnAssign) else getattr(node, "targets", [])
-                if name in map(leaf, targets):
-                    return True
-        return False
+    def plain(self, kind: Type) -> Type:
+        """Return what something of `kind` is in JavaScript: of a member of an enumeration its value."""
+        of = self.ours(kind)
+        return kind if not of or not of.is_enum else STR if "StrEnum" in of.marks else INT
 
     def parameters(self, function: ast.FunctionDef) -> dict[str, Type]:
         """Return the types of a function's parameters."""
-        args = function.args
-        types = {
-            each.arg: self.annotated(each.annotation)
-            for each in (*args.posonlyargs, *args.args, *args.kwonlyargs)
-        }
-        if args.vararg:
-            types[args.vararg.arg] = Type("row", (self.annotated(args.vararg.annotation),))
-        if args.kwarg:
-            types[args.kwarg.arg] = made("dict", STR, self.annotated(args.kwarg.annotation))
+        types = dict[str, Type]()
+        for each in Found(self.module, function).parameters:
+            kind = self.annotated(each.annotation)
+            rest = {"*": Type("row", (kind,)), "**": made("dict", STR, kind)}
+            types[each.name] = rest.get(each.how, kind)
         return types | {"self": Type(self.owner)} if "self" in types and self.owner else types
 
     def learn(self, body: list[ast.stmt]) -> None:
@@ -262,14 +224,8 @@ class Types:
         while before != scope:
             before = dict(scope)
             for target, kind in (pair for node in setting for pair in self._set_by(node)):
-                if (
-                    isinstance(target, ast.Name)
-                    and target.id not in given
-                    and (target.id in scope or kind != UNSEEN)
-                ):
+                if isinstance(target, ast.Name) and target.id not in given:
                     scope[target.id] = join(scope.get(target.id, UNSEEN), kind)
-                elif isinstance(target, ast.Name):
-                    scope.setdefault(target.id, UNSEEN)
 
     def _set_by(self, node: ast.AST) -> list[tuple[ast.AST, Type]]:
         """Return the targets that a node sets, and to what."""
@@ -311,21 +267,17 @@ class Types:
 
     def _apart(self, target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
         """Return each name of a target with its type."""
+        if isinstance(target, ast.Starred):
+            return [(target.value, made("list", kind))]
         if not isinstance(target, ast.Tuple):
             return [(target, kind)]
         kind = without_none(kind)
-        parts = self.parts(kind)
-        fit = parts is not None and len(parts) == len(target.elts)
-        found: list[tuple[ast.AST, Type]] = []
-        for at, each in enumerate(target.elts):
-            if isinstance(each, ast.Starred):
-                found.append((each.value, made("list", self.item(kind))))
-            else:
-                fitting = (
-                    parts is not None and fit and not any(isinstance(e, ast.Starred) for e in target.elts)
-                )
-                found += self._apart(each, parts[at] if fitting and parts else self.item(kind))
-        return found
+        parts, count = self.parts(kind), len(target.elts)
+        if parts is None or len(parts) != count or any(isinstance(each, ast.Starred) for each in target.elts):
+            parts = (self.item(kind),) * count
+        return [
+            pair for each, part in zip(target.elts, parts, strict=True) for pair in self._apart(each, part)
+        ]
 
     def parts(self, kind: Type) -> tuple[Type, ...] | None:
         """Return the types of the items of a tuple of known length, or of the fields of a named one."""
@@ -336,20 +288,14 @@ class Types:
 
     def fields_of(self, of: Found) -> list[tuple[str, Type]]:
         """Return the fields of a record, those of its base classes first."""
-        found: dict[str, Type] = {}
-        for each in reversed([*self.program.lineage(of)]):
-            inner = Types(self.program, each.module, each.kind.name)
-            for field in each.fields or []:
-                found[leaf(field.target)] = inner.annotated(field.annotation)
-        return [*found.items()]
+        return [(each.name, self.annotated(each.annotation, each.module)) for each in self.program.fields(of)]
 
     def item(self, kind: Type) -> Type:
         """Return what an iteration yields."""
         if kind.name == "|":
             return join(*map(self.item, kind.of))
-        of = self.program.classes.get(kind.name)
-        if of is None or of.module.table:
-            return STR if kind.name == "enum" else item_of(kind)
+        if not self.ours(kind):
+            return item_of(kind)
         if (parts := self.parts(kind)) is not None:
             return join(*parts)
         return item_of(self.of_class(kind.name, "__iter__")[0])
@@ -363,21 +309,25 @@ class Types:
         if not isinstance(node, ast.Attribute):
             return None
         of = self.found(node.value)
-        if of and of.node is None:
+        if of and of.is_module:
             return self.program.find(of.module, node.attr)
-        if isinstance(node.value, ast.Call) and leaf(node.value.func) == "super":
-            for each in [*self.program.lineage(self.program.classes[self.owner])][1:] if self.owner else []:
-                if method := self.of_class(each.kind.name, node.attr)[1]:
-                    return method
-            return None
-        kind = self._before_the_dot(node.value, of)
-        methods = (self.of_class(each.name, node.attr)[1] for each in either(kind))
+        if self.after_super(node):
+            bases = [*self.program.lineage(self.program.classes[self.owner])][1:] if self.owner else []
+            methods = (self.of_class(each.kind.name, node.attr)[1] for each in bases)
+        else:
+            kinds = either(self._before_the_dot(node.value, of))
+            methods = (self.of_class(each.name, node.attr)[1] for each in kinds)
         return next(filter(None, methods), None)
+
+    @staticmethod
+    def after_super(node: ast.expr) -> bool:
+        """Whether it is `super().name`."""
+        return isinstance(node, ast.Attribute) and leaf(getattr(node.value, "func", None)) == "super"
 
     def _before_the_dot(self, node: ast.expr, of: Found | None) -> Type:
         if of and of.is_class:
             return of.kind
-        if of and of.module.table and leaf(node) in self.program.classes:
+        if of and not of.ours and leaf(node) in self.program.classes:
             return Type(leaf(node))  # dict.fromkeys
         return without_none(self.infer(node))
 
@@ -442,15 +392,15 @@ class Types:
             case ast.NamedExpr(_, value):
                 return self.infer(value)
             case ast.Lambda(_, body):
-                return Type("call", (self._in_lambda(node, body),))
+                with self.naming(self.taken(node)):
+                    return Type("call", (self.infer(body),))
             case ast.ListComp() | ast.GeneratorExp() | ast.SetComp() | ast.DictComp():
                 return self._comprehended(node)
         return ANY
 
     def _operated(self, operator: ast.operator, one: Type, other: Type) -> Type:
-        of = self.program.classes.get(one.name)
-        if of and not of.module.table and (name := DUNDERS.get(type(operator))):
-            return self.of_class(one.name, name)[0]
+        if self.ours(one) and (method := OPERATORS[type(operator)].method):
+            return self.of_class(one.name, method)[0]
         if one.name == "dict" and other.name == "dict":
             return made("dict", *map(join, one.of, other.of))
         if one.name == "view" and other.name in ("set", "view"):
@@ -473,16 +423,15 @@ class Types:
 
     def _always_true(self, kind: Type) -> bool:
         """Whether all of `kind` is true: an instance of a class of ours that has no length."""
-        of = self.program.classes.get(kind.name)
-        if not of or of.module.table or of.is_enum:
-            return False
-        return not self.of_class(kind.name, "__len__")[1] and not self.of_class(kind.name, "__bool__")[1]
+        of = self.ours(kind)
+        methods = (self.of_class(kind.name, name)[1] for name in ("__len__", "__bool__"))
+        return of is not None and not of.is_enum and not any(methods)
 
     def _indexed_type(self, kind: Type, index: ast.expr) -> Type:
         if kind.name == "|":
             return join(*(self._indexed_type(each, index) for each in kind.of))
-        of = self.program.classes.get(kind.name)
-        if of and not of.module.table and not of.is_tuple:
+        of = self.ours(kind)
+        if of and not of.is_tuple:
             method = self.of_class(kind.name, "__getitem__")[1]
             return self._returned(method, [index], kind) if method else ANY
         if isinstance(index, ast.Slice):
@@ -499,40 +448,30 @@ class Types:
             return parts[number]
         return self.item(kind) if kind.name in _SEQUENCES or parts else ANY
 
-    @contextmanager
-    def comprehending(self, generators: list[ast.comprehension]) -> Iterator[None]:
-        """Know the names of a comprehension, and what its tests say."""
-        self.scope = self.scope.new_child()
-        held = dict(self.held)
-        try:
-            for generator in generators:
-                sets = self._set_by(generator)
-                self.scope |= {leaf(target): kind for target, kind in sets}
-                for target, _ in sets:
-                    self.forget(leaf(target))
-                for test in generator.ifs:
-                    self.held |= self.said(test, True)
-            yield
-        finally:
-            self.scope, self.held = self.scope.parents, held
+    def entered(self, generator: ast.comprehension) -> list[str]:
+        """Know the names that a comprehension's loop sets; return them."""
+        sets = {leaf(target): kind for target, kind in self._set_by(generator)}
+        self.scope |= sets
+        for name in sets:
+            self.forget(name)
+        return [*sets]
 
     def _comprehended(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp | ast.DictComp) -> Type:
-        with self.comprehending(node.generators):
+        with self.naming({}):
+            for generator in node.generators:
+                self.entered(generator)
+                for test in generator.ifs:
+                    self.held |= self.said(test, True)
             if isinstance(node, ast.DictComp):
                 return made("dict", self.infer(node.key), self.infer(node.value))
             kind = self.infer(node.elt)
         names = {ast.ListComp: "list", ast.SetComp: "set", ast.GeneratorExp: "iterator"}
         return made(names[type(node)], kind)
 
-    def _in_lambda(self, node: ast.Lambda, body: ast.expr) -> Type:
-        names = [each.arg for each in node.args.args]
+    def taken(self, node: ast.Lambda) -> dict[str, Type]:
+        """Return the parameters of a lambda, with the types that are known of where it is given."""
         kinds = self.lambdas.get(node, [])
-        self.scope = self.scope.new_child(
-            {name: kinds[at] if at < len(kinds) else ANY for at, name in enumerate(names)}
-        )
-        kind = self.infer(body)
-        self.scope = self.scope.parents
-        return kind
+        return {each.arg: kinds[at] if at < len(kinds) else ANY for at, each in enumerate(node.args.args)}
 
     def _joined(self, nodes: list[ast.expr]) -> Type:
         return join(*map(self.infer, nodes))
@@ -540,25 +479,26 @@ class Types:
     def _named_type(self, node: ast.Name | ast.Attribute) -> Type:
         """Return the type of a name of a module, or of an attribute."""
         found = self.found(node)
-        if isinstance(node, ast.Attribute) and (found is None or isinstance(found.node, ast.FunctionDef)):
+        if isinstance(node, ast.Attribute) and (found is None or found.is_function):
             return self._attribute_type(node, found)
-        if not found:
+        if found is None:
             return ANY
-        if isinstance(found.node, ast.AnnAssign):
-            kind = self.annotated(found.node.annotation, found.module)
-            return (
-                kind
-                if leaf(found.node.annotation) != "Final" or kind != ANY
-                else self._constant(found, found.node.value)
-            )
-        if isinstance(found.node, ast.FunctionDef):
-            takes = [self.annotated(each.annotation, found.module) for each in found.node.args.args]
-            return Type("call", (self.annotated(found.node.returns, found.module), *takes))
-        if isinstance(found.node, ast.expr):
-            return self._constant(found, found.node)
-        if found.is_class:
-            return Type("list", (found.kind,)) if found.is_enum else Type("type", (found.kind,))
+        match found.node:
+            case ast.AnnAssign(_, annotation, value):
+                kind = self.annotated(annotation, found.module)
+                return self._constant(found, value) if kind == ANY and leaf(annotation) == "Final" else kind
+            case ast.FunctionDef():
+                return Type("call", (self.annotated(found.node.returns, found.module), *self._takes(found)))
+            case ast.ClassDef():
+                return Type("list" if found.is_enum else "type", (found.kind,))
+            case ast.expr() as value:
+                return self._constant(found, value)
         return ANY
+
+    def _takes(self, found: Found) -> list[Type]:
+        """Return the types of what a function or a method takes by its place."""
+        places = (each for each in self.program.signature(found) or [] if each.how in ("", "/"))
+        return [self.annotated(each.annotation, each.module) for each in places]
 
     def _constant(self, found: Found, node: ast.AST | None) -> Type:
         if node is None:
@@ -580,8 +520,7 @@ class Types:
             if result == ANY and method is None and len(kinds) > 1 and not self.has(kind, node.attr):
                 continue
             if method and not method.is_property:
-                takes = [self.annotated(each.annotation, method.module) for each in method.node.args.args[1:]]
-                result = Type("call", (result, *takes))
+                result = Type("call", (result, *self._takes(method)))
             results.append(result)
         return join(*results)
 
@@ -590,44 +529,27 @@ class Types:
     def _called(self, node: ast.Call) -> Type:
         """Return the type of what a call returns."""
         found, name = self.found(node.func), leaf(node.func)
-        if found and found.is_class and (not found.module.table or not self.program.variants(found)):
-            self._fields_given(node, found)
+        if found and found.is_class and (found.ours or not self.program.variants(found)):
+            for value, parameter in self.paired(found, node.args, node.keywords) or []:
+                self.expect(value, self.annotated(parameter.annotation, parameter.module))
             return found.kind
-        if found and isinstance(found.node, ast.FunctionDef | ast.ClassDef):
-            receiver = (
-                without_none(self.infer(node.func.value)) if isinstance(node.func, ast.Attribute) else None
-            )
+        if found and (found.is_function or found.is_class):
+            receiver = None
+            if isinstance(node.func, ast.Attribute):
+                receiver = without_none(self.infer(node.func.value))
             if receiver and receiver.name == "|":
                 methods = [(each, self.of_class(each.name, name)[1]) for each in receiver.of]
                 return join(*(self._returned(of, node.args, one, node.keywords) for one, of in methods if of))
-            return self._special(node, name, found) or self._returned(
-                found, node.args, receiver, node.keywords
-            )
-        if name == "_replace" and isinstance(node.func, ast.Attribute):
-            return self.infer(node.func.value)
-        if name == "replace" and isinstance(node.func, ast.Name) and node.args:
-            return self.infer(node.args[0])
-        if name in ("isinstance", "hasattr", "callable") and isinstance(node.func, ast.Name):
-            return BOOL
-        if name == "getattr" and isinstance(node.func, ast.Name) and len(node.args) == 2:
-            of, attribute = node.args
-            if isinstance(attribute, ast.Constant):
-                return self.infer(ast.Attribute(of, str(attribute.value), ast.Load()))
+            return self._returned(found, node.args, receiver, node.keywords)
+        match node:
+            case ast.Call(ast.Attribute(of, "_replace")) | ast.Call(ast.Name("replace"), [of, *_]):
+                return self.infer(of)
+            case ast.Call(ast.Name("isinstance")):
+                return BOOL
+            case ast.Call(ast.Name("getattr"), [of, ast.Constant(str(attribute))]):
+                return self.infer(ast.Attribute(of, attribute, ast.Load()))
         kind = without_none(self.infer(node.func))
         return kind.of[0] if kind.name == "call" else ANY
-
-    def _fields_given(self, node: ast.Call, found: Found) -> None:
-        """Know the functions that are given to a new instance of a class."""
-        init = self.of_class(found.kind.name, "__init__")[1]
-        if init:
-            pairs = self.paired(init, node.args, node.keywords, True) or []
-            wanted = [(value, self.annotated(annotation, init.module)) for value, annotation in pairs]
-        else:
-            fields = self.fields_of(found)
-            wanted = [(value, kind) for value, (_, kind) in zip(node.args, fields, strict=False)]
-            wanted += [(each.value, dict(fields).get(each.arg or "", ANY)) for each in node.keywords]
-        for value, kind in wanted:
-            self.expect(value, kind)
 
     def expect(self, value: ast.expr, wanted: Type) -> None:
         """Know the functions in a value of which the type is known."""
@@ -642,16 +564,6 @@ class Types:
                 for each in items:
                     self.expect(each, wanted.of[0])
 
-    def _special(self, node: ast.Call, name: str, found: Found) -> Type | None:
-        if not found.module.table:
-            return None
-        if name == "compile" and node.args and isinstance(node.args[0], ast.Constant):
-            groups = re.compile(str(node.args[0].value)).groups
-            return Type("Pattern", (STR if groups < 2 else Type("tuple", (STR,) * groups),))
-        if name in ("min", "max") and len(node.args) > 1:
-            return self._joined(node.args)
-        return None
-
     def _returned(
         self,
         found: Found,
@@ -660,108 +572,91 @@ class Types:
         keywords: list[ast.keyword] | None = None,
     ) -> Type:
         """Return what a function of ours or of the table returns, of the first form that fits."""
+        match args:
+            case [ast.Constant(str(pattern))] if found.node.name == "compile" and not found.ours:
+                groups = re.compile(pattern).groups
+                return Type("Pattern", (STR if groups < 2 else Type("tuple", (STR,) * groups),))
         variants = self.program.variants(found)
         for variant in variants:
             bound = self.bound(variant, args, keywords or [], receiver)
             if bound is not None or variant is variants[-1]:
-                inner = Types(self.program, variant.module, self._owner_of(variant, receiver))
-                kind = filled(inner.annotated(variant.node.returns), bound or {})
-                return (
-                    WORD
-                    if kind == INT and found.module.table and leaf(variant.node.returns) == "Word"
-                    else kind
-                )
+                inner = Types(self.program, variant.module, receiver.name if receiver and found.ours else "")
+                return filled(inner.annotated(variant.node.returns), bound or {})
         return ANY
-
-    @staticmethod
-    def _owner_of(found: Found, receiver: Type | None) -> str:
-        return receiver.name if receiver and not found.module.table else ""
 
     def bound(
         self, found: Found, args: list[ast.expr], keywords: list[ast.keyword], receiver: Type | None = None
     ) -> dict[str, Type] | None:
         """Return the types of a function's type variables in a call; None if the arguments do not fit."""
-        pairs = self.paired(found, args, keywords, receiver is not None)
+        pairs = self.paired(found, args, keywords)
         if pairs is None:
             return None
         given: dict[str, Type] = {}
-        static = "staticmethod" in map(leaf, found.node.decorator_list)
-        if receiver and not static and found.node.args.args + found.node.args.posonlyargs:
-            first = (*found.node.args.posonlyargs, *found.node.args.args)[0]
-            if first.annotation:
+        for first in found.parameters[:1]:
+            if receiver and first.name == "self" and first.annotation:
                 self.unify(self.annotated(first.annotation, found.module), receiver, given)
-        later: list[tuple[ast.expr, Type]] = []
-        for value, annotation in pairs:
-            wanted = self.annotated(annotation, found.module)
+        functions: list[tuple[ast.expr, Type]] = []
+        for value, parameter in pairs:
+            wanted = self.annotated(parameter.annotation, found.module)
             if isinstance(value, ast.Lambda) or wanted.name == "call":
-                later.append((value, wanted))
+                functions.append((value, wanted))
                 continue
             kind = self.infer(value)
             if not self.fits(kind, wanted):
                 return None
             self.unify(wanted, kind, given)
-        for value, wanted in later:
+        for value, wanted in functions:  # when it is known what they take
             self._given(value, wanted, given)
         return given
 
     def _given(self, value: ast.expr, wanted: Type, given: dict[str, Type]) -> None:
         """Know a function that is given as an argument."""
-        takes = [
-            filled(each, given) for kind in either(wanted) if kind.name == "call" for each in kind.of[1:]
-        ]
-        self.lambdas[value] = takes
-        kind = self.infer(value)
-        found = self.found(value) if isinstance(value, ast.Name | ast.Attribute) else None
-        if (
-            found
-            and found.node is not None
-            and found.module.table
-            and isinstance(found.node, ast.FunctionDef | ast.ClassDef)
-        ):
-            names = [f"$a{at}" for at in range(len(takes))]
-            self.scope = self.scope.new_child(dict(zip(names, takes, strict=True)))
-            result = self.infer(ast.Call(value, [ast.Name(name, ast.Load()) for name in names], []))
-            self.scope = self.scope.parents
-            kind = Type("call", (result,))
+        forms = [kind for kind in either(wanted) if kind.name == "call"]
+        takes = self.lambdas[value] = [filled(each, given) for kind in forms for each in kind.of[1:]]
+        kind, found = self.infer(value), self.found(value)
+        if found and not found.ours and (found.is_function or found.is_class):
+            with self.applied(value, takes) as call:
+                kind = Type("call", (self.infer(call),))
         elif found and found.is_class:
             kind = Type("call", (found.kind,))
-        for pattern in either(wanted):
-            if pattern.name == "call" and kind.name == "call":
-                self.unify(pattern.of[0], kind.of[0], given)
+        for form in forms if kind.name == "call" else []:
+            self.unify(form.of[0], kind.of[0], given)
+
+    @contextmanager
+    def applied(self, function: ast.expr, takes: list[Type]) -> Iterator[ast.Call]:
+        """Give a call of a function, with names as arguments that are of these types."""
+        kinds = {f"$a{at}": kind for at, kind in enumerate(takes)}
+        names: list[ast.expr] = [ast.copy_location(ast.Name(name, ast.Load()), function) for name in kinds]
+        with self.naming(kinds):
+            yield ast.copy_location(ast.Call(function, names, []), function)
 
     def paired(
-        self, found: Found, args: list[ast.expr], keywords: list[ast.keyword], method: bool
-    ) -> list[tuple[ast.expr, ast.expr | None]] | None:
-        """Return each argument with its parameter's annotation; None if there are too many or too few."""
-        of = found.node.args
-        places = [*of.posonlyargs, *of.args]
-        static = "staticmethod" in map(leaf, found.node.decorator_list)
-        if places and ((method and not static) or places[0].arg == "self"):
-            places = places[1:]
-        pairs: list[tuple[ast.expr, ast.expr | None]] = []
-        starred = any(isinstance(each, ast.Starred) for each in args) or any(
-            each.arg is None for each in keywords
+        self, found: Found, args: list[ast.expr], keywords: list[ast.keyword]
+    ) -> list[tuple[ast.expr, Parameter]] | None:
+        """Return each argument with its parameter; None if there are too many or too few.
+
+        What comes behind an unpacked argument has no parameter that is known.
+        """
+        parameters = self.program.signature(found) or []
+        places = [each for each in parameters if each.how in ("", "/")]
+        rest = {each.how: each for each in parameters}
+        unpacked = next((at for at, each in enumerate(args) if isinstance(each, ast.Starred)), len(args))
+        if unpacked > len(places) and "*" not in rest:
+            return None
+        by_place = (
+            [*places, *[rest.get("*", parameters[-1])] * (unpacked - len(places))] if parameters else []
         )
-        for at, value in enumerate(args):
-            if isinstance(value, ast.Starred):
-                break
-            if at < len(places):
-                pairs.append((value, places[at].annotation))
-            elif of.vararg:
-                pairs.append((value, of.vararg.annotation))
-            else:
-                return None
-        named = {each.arg: each.annotation for each in (*places[len(args) :], *of.kwonlyargs)}
-        by_place = {each.arg for each in of.posonlyargs}
+        pairs = [*zip(args[:unpacked], by_place, strict=False)]
+        left = {each.name: each for each in parameters if each.how == "key" or each in places[len(args) :]}
         for keyword in keywords:
-            if keyword.arg in named and keyword.arg not in by_place:
-                pairs.append((keyword.value, named[keyword.arg]))
-            elif not of.kwarg and keyword.arg is not None:
+            parameter = left.get(keyword.arg or "")
+            if parameter and parameter.how != "/":
+                pairs.append((keyword.value, parameter))
+            elif keyword.arg is not None and "**" not in rest:
                 return None
-        optional = {each.arg for each in places[len(places) - len(of.defaults) :]} if of.defaults else set()
-        optional |= {each.arg for each, default in zip(of.kwonlyargs, of.kw_defaults, strict=True) if default}
-        missing = {*named} - {each.arg for each in keywords} - optional
-        return None if missing and not starred else pairs
+        given = {each.arg for each in keywords}
+        missing = any(each.default is None and each.name not in given for each in left.values())
+        return None if missing and unpacked == len(args) and None not in given else pairs
 
     def unify(self, pattern: Type, kind: Type, given: dict[str, Type]) -> None:
         """Find the types of the type variables of `pattern`."""
@@ -793,44 +688,31 @@ class Types:
             return all(self.fits(each, wanted) for each in kind.of)
         if wanted.name == "|":
             return any(self.fits(kind, each) for each in wanted.of)
-        if wanted in NUMBERS:
-            if self._enumerated(kind) == INT:
-                return wanted != WORD
-            return kind == wanted or (wanted == INT and kind == WORD) or (wanted == REAL and kind in NUMBERS)
-        if wanted.name == "SupportsInt":
-            return kind in (ANY, BOOL, *NUMBERS) or kind.name in ("Fraction", "SupportsInt")
-        if wanted.name == "collection" and kind.name == "set":
-            return self.fits(kind.of[0], wanted.of[0])
-        if wanted.name == "sized":
-            names = (*_SEQUENCES, "dict", "set", "view")
-            return (
-                kind.name in names or bool(self.parts(kind)) or bool(self.of_class(kind.name, "__len__")[1])
-            )
-        if wanted.name in ("iterable", "unordered", "sequence", "collection"):
-            allowed = _SEQUENCES if wanted.name == "sequence" else _ITERABLES
-            own_class = self.parts(kind) is not None or bool(
-                wanted.name != "sequence" and self.item(kind) != ANY and "." in kind.name
-            )
-            if kind.name in allowed or own_class or (wanted.name == "unordered" and kind.name == "set"):
-                return self.fits(self.item(kind), wanted.of[0])
-            return False
-        if kind.name == "row" and wanted.name == "tuple":
-            return False
-        if wanted.name == "row" and kind.name == "tuple":
-            return all(self.fits(each, wanted.of[0]) for each in kind.of)
-        if wanted == STR and self._enumerated(kind) == STR:
-            return True
-        if kind.name == wanted.name:
-            return all(map(self.fits, kind.of, wanted.of))
+        if wanted in (*NUMBERS, STR):
+            kind = self.plain(kind)
+            return kind == wanted or (wanted, kind) == (INT, WORD) or (wanted == REAL and kind in NUMBERS)
+        match wanted.name:
+            case "SupportsInt":
+                return kind in (ANY, BOOL, *NUMBERS) or kind.name in ("Fraction", "SupportsInt")
+            case "sized":
+                sized = kind.name in (*_SEQUENCES, "dict", "set", "view") or self.parts(kind) is not None
+                return sized or self.of_class(kind.name, "__len__")[1] is not None
+            case "iterable" | "unordered" | "sequence" | "collection":
+                return self._iterates(kind, wanted.name) and self.fits(self.item(kind), wanted.of[0])
+            case "row" if kind.name == "tuple":
+                return all(self.fits(each, wanted.of[0]) for each in kind.of)
+            case kind.name:
+                return all(map(self.fits, kind.of, wanted.of))
         of = self.program.classes.get(kind.name)
-        return bool(of) and wanted.name in (each.kind.name for each in self.program.lineage(of))  # type: ignore[arg-type]
+        return bool(of and wanted.name in (each.kind.name for each in self.program.lineage(of)))
 
-    def _enumerated(self, kind: Type) -> Type | None:
-        """Return what the members of an enumeration are in JavaScript."""
-        of = self.program.classes.get(kind.name)
-        if not of or not of.is_enum:
-            return None
-        return STR if "StrEnum" in map(leaf, of.node.bases) else INT
+    def _iterates(self, kind: Type, how: str) -> bool:
+        """Whether something of `kind` is a sequence, or is iterated over in an order or in any."""
+        if kind.name == "set":
+            return how in ("unordered", "collection")
+        if kind.name in (_SEQUENCES if how == "sequence" else _ITERABLES) or self.parts(kind) is not None:
+            return True
+        return how != "sequence" and "." in kind.name and self.item(kind) != ANY
 
     # What tests say.
 
@@ -859,19 +741,16 @@ class Types:
             case ast.UnaryOp(ast.Not(), value):
                 return self.said(value, not positive)
             case ast.BoolOp(operator, values):
-                if isinstance(operator, ast.And) == positive:
-                    held, all_said = self.held, dict[str, Type]()
-                    for value in values:
-                        all_said |= self.said(value, positive)
-                        self.held = held | all_said
-                    self.held = held
-                    return all_said
-                each = [self.said(value, positive) for value in values]
-                return {
-                    key: join(*(one[key] for one in each))
-                    for key in each[0]
-                    if all(key in one for one in each)
-                }
+                if isinstance(operator, ast.And) != positive:  # one of them, and nothing says which
+                    said = [self.said(value, positive) for value in values]
+                    names = [name for name in said[0] if all(name in one for one in said)]
+                    return {name: join(*(one[name] for one in said)) for name in names}
+                held, found = self.held, dict[str, Type]()
+                for value in values:
+                    found |= self.said(value, positive)
+                    self.held = held | found
+                self.held = held
+                return found
             case ast.Compare(
                 left, [ast.Is() | ast.IsNot() | ast.Eq() | ast.NotEq() as sign], [ast.Constant(None)]
             ):
@@ -904,44 +783,27 @@ class Types:
         """Return the type of what is an instance of the classes `of`, or is none."""
         nodes = of.elts if isinstance(of, ast.Tuple) else [of]
         wanted = [self.annotated(each) for each in nodes]
-        names = [leaf(each) for each in nodes]
-
-        def inside(each: Type) -> bool:
-            table = {"word": "int", "row": "tuple", "words": "array"}
-            if each.name in names or table.get(each.name) in names or (each == BOOL and "int" in names):
-                return True
-            known = self.program.classes.get(each.name)
-            enumerated = self._enumerated(each)
-            if enumerated is not None and enumerated.name in names:
-                return True
-            return bool(known) and any(base.kind in wanted for base in self.program.lineage(known))  # type: ignore[arg-type]
-
-        def below(each: Type) -> list[Type]:
-            found = []
-            for one in wanted:
-                known = self.program.classes.get(one.name)
-                if known and any(base.kind == each for base in self.program.lineage(known)):
-                    found.append(one)
-            return found
-
+        names = {*map(leaf, nodes), *(each.name for each in wanted)}
         if kind == ANY:
-            generic = {
-                "list": Type("list", (ANY,)),
-                "dict": Type("dict", (STR, ANY)),
-                "tuple": Type("row", (ANY,)),
-            }
-            return (
-                join(*(generic.get(name, one) for name, one in zip(names, wanted, strict=True)))
-                if positive
-                else ANY
-            )
+            return join(*(_OPEN.get(each.name, each) for each in wanted)) if positive else ANY
+        inside = {each: not names.isdisjoint(self._ancestry(each)) for each in either(kind)}
         if not positive:
-            return join(*(each for each in either(kind) if not inside(each)))
-        found = [each for each in either(kind) if inside(each)]
-        found += [one for each in either(kind) if not inside(each) for one in below(each)]
+            return join(*(each for each in inside if not inside[each]))
+        found = [each for each in inside if inside[each]]
+        below = (
+            one for each in inside if not inside[each] for one in wanted if each.name in self._ancestry(one)
+        )
+        found += below
         if not found and (kind.name in ("iterable", "sequence") or kind in self.program.protocols):
             found = wanted
         return join(*found)
+
+    def _ancestry(self, kind: Type) -> set[str]:
+        """Return the names of the classes of which something of `kind` is an instance."""
+        of = self.program.classes.get(kind.name)
+        names = {each.kind.name for each in self.program.lineage(of)} if of else set[str]()
+        also = {"word": "int", "bool": "int", "row": "tuple"}
+        return names | {kind.name, also.get(kind.name, kind.name), self.plain(kind).name}
 
 
 def _of_constant(value: object) -> Type:
@@ -950,25 +812,3 @@ def _of_constant(value: object) -> Type:
     if value is None:
         return NONE
     return FLOAT if isinstance(value, float) else _PLAIN.get(type(value).__name__, ANY)
-
-
-@cache
-def _set_in(method: ast.FunctionDef) -> frozenset[str]:
-    """Return the attributes that a method assigns to."""
-    attributes = (node for node in own(method.body) if isinstance(node, ast.Attribute))
-    return frozenset(each.attr for each in attributes if isinstance(each.ctx, ast.Store))
-
-
-def own(body: list[ast.stmt]) -> list[ast.AST]:
-    """Return all nodes of these statements but those of functions and classes inside."""
-    return [part for node in body for part in _own(node)]
-
-
-@cache
-def _own(node: ast.AST) -> list[ast.AST]:
-    found, left = [], [node]
-    while left:
-        found.append(part := left.pop())
-        if not isinstance(part, _CLOSED):
-            left += reversed([*ast.iter_child_nodes(part)])
-    return found

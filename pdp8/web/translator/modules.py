@@ -10,48 +10,40 @@ from importlib.resources import files
 from types import MappingProxyType
 
 from pdp8.web.translator.expressions import member, named
-from pdp8.web.translator.inference import _set_in
-from pdp8.web.translator.program import Found, Module, Program, Untranslated
+from pdp8.web.translator.program import Found, Module, Program, Untranslated, set_in
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import INT, STR, leaf, whole
 
 _ALIASES = ("Callable", "Annotated", "Literal", "dict", "tuple", "list", "Sequence", "Mapping")
+_TYPES = ("str", "bytes", "int", "float", "bool", "list", "dict")
 _PROTOCOLS = {
     "__len__": "get length() { return this.__len__(); }",
     "__str__": "toString() { return this.__str__(); }",
     "__iter__": "[Symbol.iterator]() { return $.iter(this.__iter__()); }",
 }
 """What JavaScript asks of an object that has one of Python's methods."""
-_BASES = frozenset(("NamedTuple", "StrEnum", "IntEnum"))
-_TAKEN = frozenset(
-    [
-        "length",
-        "constructor",
-        "prototype",
-        "toString",
-        "valueOf",
-        "toJSON",
-        "hasOwnProperty",
-        "toLocaleString",
-    ]
-)
-_ERRORS = frozenset(("message", "name", "stack", "cause", "args"))
-_DUNDERS = frozenset(
-    [
-        "__init__",
-        "__post_init__",
-        "__str__",
-        "__len__",
-        "__iter__",
-        "__getitem__",
-        "__setitem__",
-        "__add__",
-        "__sub__",
-        "__mul__",
-        "__truediv__",
-    ]
-)
+_BASES = ("NamedTuple", "StrEnum", "IntEnum")
+_TAKEN = (
+    "length", "constructor", "prototype", "toString", "valueOf", "toJSON", "hasOwnProperty", "toLocaleString",
+)  # fmt: skip
+"""Names that JavaScript's own objects have."""
+_ERRORS = ("message", "name", "stack", "cause", "args")
+_DUNDERS = (
+    "__init__", "__post_init__", "__str__", "__len__", "__iter__", "__getitem__", "__setitem__",
+    "__add__", "__sub__", "__mul__", "__truediv__",
+)  # fmt: skip
 """What the runtime asks an object for."""
+
+
+@contextmanager
+def _telling(say: Callable[[str], object] | None) -> Iterator[None]:
+    """Pass what has no translation to `say`, if there is one, and go on behind the block."""
+    try:
+        yield
+    except Untranslated as fault:
+        if say is None:
+            raise
+        say(f"{fault}")
 
 
 class Writer(Statements):
@@ -77,58 +69,43 @@ class Writer(Statements):
         """Return the module."""
         body: list[str] = []
         for name, node in self.module.defined.items():
-            with self._telling():
+            with _telling(self.say):
                 body += self._top(name, node)
         head = self._imports(set(re.findall(r"[\w$]+", "\n".join(body))))
         own_names = [f"let {', '.join(self.temporary[0])};"] if self.temporary[0] else []
         return "\n".join([*head, *own_names, *body, ""])
-
-    @contextmanager
-    def _telling(self) -> Iterator[None]:
-        """Pass what has no translation to `say`, if there is one, and go on behind the block."""
-        scope, owner = self.scope, self.owner
-        try:
-            yield
-        except Untranslated as fault:
-            if self.say is None:
-                raise
-            self.say(f"{fault}")
-            self.scope, self.owner, self.loops = scope, owner, []
 
     def _imports(self, used: set[str]) -> Iterable[str]:
         up = "../" * self.module.name.count(".") or "./"
         yield f'import * as $ from "{up}pdp8/web/translator/runtime.mjs";'
         for name, (_, real) in self.module.imports.items():
             found = self.program.find(self.module, name)
-            if not found or found.module.table or named(name) not in used:
+            if not found or not found.ours or named(name) not in used:
                 continue
             there = named(real) if real == name else f"{named(real)} as {named(name)}"
-            what = f"* as {named(name)}" if found.node is None else f"{{ {there} }}"
+            what = f"* as {named(name)}" if found.is_module else f"{{ {there} }}"
             yield f'import {what} from "{up}{found.module.name.replace(".", "/")}.mjs";'
 
     def _top(self, name: str, node: ast.AST) -> list[str]:
         """Return what a module defines as `name`."""
         self.trusted = name in self.dynamic
-        self.held = {}
-        if isinstance(node, ast.ClassDef):
-            return self._class(node)
-        if isinstance(node, ast.FunctionDef):
-            star, head, *rest = self.function(node)
-            if "cache" in map(leaf, node.decorator_list):
-                return self._cached(node, head, rest)
-            return [f"export function{star} {named(name)}{head} {{", *rest]
-        value = node.value if isinstance(node, ast.AnnAssign) else node
-        alias = isinstance(value, ast.Subscript) and leaf(value) in _ALIASES
-        alias = alias or (isinstance(value, ast.BinOp | ast.Name) and self._names_types(value))
-        if alias:
-            return []
-        assert isinstance(value, ast.expr)
-        if isinstance(node, ast.AnnAssign):
-            self.expect(value, self.annotated(node.annotation))
-        text = self.e(value)
-        if isinstance(node, ast.AnnAssign):
-            self.accept(value, self.annotated(node.annotation))
-        return [f"export const {named(name)} = {text};"]
+        self.held, self.owner = {}, ""
+        match node:
+            case ast.ClassDef():
+                return self._class(Found(self.module, node))
+            case ast.FunctionDef():
+                star, head, *rest = self.function(node)
+                if "cache" in Found(self.module, node).marks:
+                    return self._cached(node, head, rest)
+                return [f"export function{star} {named(name)}{head} {{", *rest]
+            case ast.Subscript() | ast.BinOp() | ast.Name() if self._names_types(node):
+                return []
+            case ast.AnnAssign(_, annotation, ast.expr() as value):
+                alias = isinstance(value, ast.Subscript | ast.BinOp | ast.Name) and self._names_types(value)
+                text = "" if alias else self.accepted(value, self.annotated(annotation))
+            case _:
+                text = self.e(node)  # type: ignore[arg-type]
+        return [f"export const {named(name)} = {text};"] if text else []
 
     def _cached(self, node: ast.FunctionDef, head: str, rest: list[str]) -> list[str]:
         """Return a function that keeps what it has returned."""
@@ -146,37 +123,28 @@ class Writer(Statements):
                 return True
             case ast.Name(name):
                 found = self.found(node)
-                return bool(found and found.is_class) or name in (
-                    "str",
-                    "bytes",
-                    "int",
-                    "float",
-                    "bool",
-                    "list",
-                    "dict",
-                )
+                return bool(found and found.is_class) or name in _TYPES
         return isinstance(node, ast.Subscript) and leaf(node) in _ALIASES
 
-    def _class(self, node: ast.ClassDef) -> list[str]:
-        if "Protocol" in map(leaf, node.bases):
+    def _class(self, of: Found) -> list[str]:
+        if "Protocol" in of.marks:
             return []
-        self.owner = f"{self.module.name}.{node.name}"
-        of = Found(self.module, node)
-        self._declared(node, of)
-        fields = of.fields
-        base = next(map(self._base, node.bases), "$.Instance" if fields is None else "$.Record")
+        node, self.owner = of.node, of.kind.name
+        self._declared(of)
+        base = next(map(self._base, node.bases), "$.Instance" if of.fields is None else "$.Record")
         lines = [f"export class {named(node.name)} extends {base} {{"]
-        lines += self._record(of) if fields is not None else []
+        lines += self._record(of) if of.fields is not None else []
         after: list[str] = []
         for part in node.body:
             match part:
                 case ast.Expr(ast.Constant()) | ast.Pass() | ast.Assign([ast.Name("__slots__")]):
                     pass
                 case ast.FunctionDef(name):
-                    if name not in self.module.omitted and "overload" not in map(leaf, part.decorator_list):
-                        with self._telling():
-                            lines += self._member(part, node.name)
-                case ast.AnnAssign() if fields is not None and part in fields:
+                    method = of._replace(node=part)
+                    if name not in self.module.omitted and "overload" not in method.marks:
+                        with _telling(self.say):
+                            lines += self._member(method, node.name)
+                case ast.AnnAssign() if part in (of.fields or []):
                     pass
                 case ast.Assign([ast.Name(name)], value) | ast.AnnAssign(ast.Name(name), _, value):
                     if value is not None:
@@ -192,14 +160,15 @@ class Writer(Statements):
         if not isinstance(node, ast.Name):
             self.fail(node, "such a base class", "its own name")
         found = self.program.find(self.module, leaf(node))
-        if found and found.is_class:
-            return f"$.{leaf(node)}" if found.module.table else named(leaf(node))
-        if leaf(node) not in _BASES:
+        if found and found.is_class and found.ours:
+            return named(leaf(node))
+        if not (found and found.is_class) and leaf(node) not in _BASES:
             self.fail(node, "such a base class")
         return f"$.{leaf(node)}"
 
-    def _declared(self, node: ast.ClassDef, of: Found) -> None:
+    def _declared(self, of: Found) -> None:
         """Refuse classes of other kinds, and names that JavaScript's own objects have."""
+        node = of.node
         if len(node.bases) > 1 or node.keywords:
             self.fail(node, "a class with several bases or with keywords", "one base class")
         for mark in node.decorator_list:
@@ -208,36 +177,29 @@ class Writer(Statements):
             for option in getattr(mark, "keywords", []):
                 if option.arg not in ("frozen", "slots", "repr"):
                     self.fail(mark, f"dataclass({option.arg}=)")
-        error = any(each.kind.name == "BaseException" for each in self.program.lineage(of))
-        names = {each.name for each in node.body if isinstance(each, ast.FunctionDef)} - self.module.omitted
+        functions = [each for each in node.body if isinstance(each, ast.FunctionDef)]
+        methods = [each for each in functions if each.name not in self.module.omitted]
+        names = {each.name for each in methods}.union(*map(set_in, methods))
         names |= {leaf(field.target) for field in of.fields or []}
-        for method in node.body:
-            if isinstance(method, ast.FunctionDef) and method.name in names:
-                names |= _set_in(method)
-                if of.is_enum:
-                    self.fail(method, "a method of an enumeration", "a function")
-        for name in sorted(names):
-            sized = name == "length" and not self.of_class(of.kind.name, "__len__")[1]
-            if (
-                (name in _TAKEN and not sized)
-                or (error and name in _ERRORS)
-                or (name[:2] == "__" and name not in _DUNDERS)
-            ):
-                self.fail(
-                    node,
-                    f"{name} is something else in JavaScript, or of a class of Python's own",
-                    "another name",
-                )
-        values = [ast.unparse(each.value) for each in node.body if isinstance(each, ast.Assign)]
-        if of.is_enum and len({*values}) < len(values):
-            self.fail(node, "two members of one value")
-        for each in node.body:
-            if (
-                of.is_enum
-                and isinstance(each, ast.Assign)
-                and not isinstance(each.value, ast.Constant)
-                and whole(each.value) is None
-            ):
+        taken = {*_TAKEN} - ({"length"} if not self.of_class(of.kind.name, "__len__")[1] else set())
+        if any(each.kind.name == "BaseException" for each in self.program.lineage(of)):
+            taken |= {*_ERRORS}
+        taken |= {name for name in names if name[:2] == "__" and name not in _DUNDERS}
+        for name in sorted(names & taken):
+            why = f"{name} is something else in JavaScript, or of a class of Python's own"
+            self.fail(node, why, "another name")
+        if of.is_enum:
+            for method in methods:
+                self.fail(method, "a method of an enumeration", "a function")
+            self._constants_only(of)
+
+    def _constants_only(self, of: Found) -> None:
+        """Refuse an enumeration of other members than different constants."""
+        members = [each for each in of.node.body if isinstance(each, ast.Assign)]
+        if len({ast.unparse(each.value) for each in members}) < len(members):
+            self.fail(of.node, "two members of one value")
+        for each in members:
+            if not isinstance(each.value, ast.Constant) and whole(each.value) is None:
                 self.fail(each, "a member that is no constant")
 
     def _apart_from(self, node: ast.ClassDef, value: ast.expr) -> None:
@@ -250,36 +212,35 @@ class Writer(Statements):
                 self.fail(value, "an attribute of a class made of another", "it as a constant of the module")
 
     def _record(self, of: Found) -> list[str]:
-        found: dict[str, ast.AnnAssign] = {}
-        for each in reversed([*self.program.lineage(of)]):
-            found |= {leaf(field.target): field for field in each.fields or []}
-        parameters = []
-        for name, field in found.items():
-            value = field.value
-            if isinstance(value, ast.Call) and leaf(value.func) == "field":
-                options = {each.arg: each.value for each in value.keywords}
-                if value.args or len(options) != 1 or not {*options} <= {"default_factory", "default"}:
-                    self.fail(value, "a field with such options", "default or default_factory")
-                [(option, value)] = options.items()
-                if option == "default_factory":
-                    value = ast.copy_location(ast.Call(value, [], []), field)
-            elif value is not None:
-                self._fixed(value, field.annotation)
-                self.accept(value, self.annotated(field.annotation))
-            parameters.append(named(name) + (f" = {self.e(value)}" if value else ""))
-        sets = " ".join(f"this.{member(name)} = {named(name)};" for name in found)
-        made = f"constructor({', '.join(parameters)}) {{ super(); {sets} this.__post_init__(); }}"
-        if any(each.fields is not None for each in [*self.program.lineage(of)][1:]):
-            made = made.replace("super(); ", f"super({', '.join(map(named, found))}); ").replace(
-                " this.__post_init__();", ""
-            )
-        return [f"static $fields = [{', '.join(repr(member(name)) for name in found)}];", made]
+        fields, parameters = self.program.fields(of), []
+        for each in fields:
+            match value := each.default:
+                case ast.Call(func, args, keywords) if leaf(func) == "field":
+                    options = {option.arg: option.value for option in keywords}
+                    if args or len(options) != 1 or not {*options} <= {"default_factory", "default"}:
+                        self.fail(value, "a field with such options", "default or default_factory")
+                    [(option, made)] = options.items()
+                    value = ast.copy_location(ast.Call(made, [], []), value) if option != "default" else made
+                case ast.expr():
+                    self.fixed(value, each.annotation)
+                    self.accept(value, self.annotated(each.annotation, each.module))
+            parameters.append(named(each.name) + (f" = {self.e(value)}" if value else ""))
+        given = ", ".join(named(each.name) for each in fields)
+        sets = " ".join(f"this.{member(each.name)} = {named(each.name)};" for each in fields)
+        bases = [*self.program.lineage(of)][1:]
+        body = f"super(); {sets} this.__post_init__();"
+        if any(each.fields is not None for each in bases):
+            body = f"super({given}); {sets}"
+        return [
+            f"static $fields = [{', '.join(repr(member(each.name)) for each in fields)}];",
+            f"constructor({', '.join(parameters)}) {{ {body} }}",
+        ]
 
-    def _member(self, node: ast.FunctionDef, owner: str) -> list[str]:
-        marks = set(map(leaf, node.decorator_list))
-        if "cache" in marks or ("contextmanager" in marks and "staticmethod" in marks):
+    def _member(self, of: Found, owner: str) -> list[str]:
+        node, marks = of.node, of.marks
+        if "cache" in marks or ("contextmanager" in marks and of.is_static):
             self.fail(node, "cache of a method", "cached_property")
-        if "staticmethod" not in marks and [each.arg for each in node.args.args][:1] != ["self"]:
+        if not of.is_static and [each.arg for each in node.args.args][:1] != ["self"]:
             self.fail(node, "a method whose first parameter is not self", "self")
         name, self.held = member(node.name), {}
         trusted, self.trusted = self.trusted, self.trusted or f"{owner}.{node.name}" in self.dynamic
@@ -289,7 +250,7 @@ class Writer(Statements):
         if "cached_property" in marks:
             kept = f'$.kept(this, "{name}", this.$made_{name}())'
             return [f"get {name}() {{ return {kept}; }}", f"$made_{made[0]}", *rest]
-        if "staticmethod" in marks:
+        if of.is_static:
             made.append(f"{name}(...$a) {{ return {owner}.{name}(...$a); }}")
         before = {"property": "get ", "setter": "set ", "staticmethod": "static "}
         made[0] = "".join(before.get(mark, "") for mark in marks) + made[0]
@@ -302,21 +263,9 @@ def library() -> str:
     return files(__package__).joinpath("library.pyi").read_text(encoding="utf-8")
 
 
-@contextmanager
-def _telling(say: Callable[[str], object] | None) -> Iterator[None]:
-    """Pass what has no translation to `say`, if there is one, and go on behind the block."""
-    try:
-        yield
-    except Untranslated as fault:
-        if say is None:
-            raise
-        say(f"{fault}")
-
-
 def translate(
     modules: dict[str, tuple[str, str]],
     omitted: dict[str, str],
-    runtime: str,
     say: Callable[[str], object] | None = None,
     unchecked: Collection[str] = (),
     trusted: Mapping[str, str] = MappingProxyType({}),
@@ -333,7 +282,7 @@ def translate(
         for name, source in modules.items():
             with _telling(say):
                 read.append(Module(name, *source, omitted.get(name, "").split()))
-        program = Program(read, library(), runtime)
+        program = Program(read, library())
         for name, module in program.modules.items():
             with _telling(say):
                 written[name] = Writer(

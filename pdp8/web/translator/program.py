@@ -8,12 +8,25 @@ from typing import Any, NamedTuple
 
 from pdp8.web.translator.types import Type, leaf
 
+_CLOSED = (
+    ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
+)
+PROPERTIES = frozenset(("property", "cached_property"))
+
 
 class Untranslated(Exception):
     """A construct that has no translation, with its file and line."""
 
 
-PROPERTIES = frozenset(("property", "cached_property"))
+class Parameter(NamedTuple):
+    """A parameter of a function, or a field as a parameter of its record's constructor."""
+
+    name: str
+    annotation: ast.expr | None
+    default: ast.expr | None
+    module: "Module"
+    how: str = ""
+    """"/" by place only, "*" all further places, "key" by name only, "**" all further names."""
 
 
 class Found(NamedTuple):
@@ -23,45 +36,135 @@ class Found(NamedTuple):
     node: Any
 
     @property
+    def ours(self) -> bool:
+        """Whether it is defined in a module that is translated, not in the table of Python's own."""
+        return not self.module.table
+
+    @property
+    def is_module(self) -> bool:
+        """Whether it is a module."""
+        return self.node is None
+
+    @property
     def is_class(self) -> bool:
-        """Whether it leads to a class."""
+        """Whether it is a class."""
         return isinstance(self.node, ast.ClassDef)
 
     @property
+    def is_function(self) -> bool:
+        """Whether it is a function or a method."""
+        return isinstance(self.node, ast.FunctionDef)
+
+    @property
     def is_tuple(self) -> bool:
-        """Whether it leads to a named tuple."""
-        return "NamedTuple" in self._marks
+        """Whether it is a named tuple."""
+        return "NamedTuple" in self.marks
 
     @property
     def is_enum(self) -> bool:
-        """Whether it leads to an enumeration."""
-        return self.is_class and not {"StrEnum", "IntEnum"}.isdisjoint(self._marks)
+        """Whether it is an enumeration."""
+        return self.is_class and not {"StrEnum", "IntEnum"}.isdisjoint(self.marks)
 
     @property
     def is_property(self) -> bool:
-        """Whether it leads to a method that is read as an attribute."""
-        return isinstance(self.node, ast.FunctionDef) and not PROPERTIES.isdisjoint(self._marks)
+        """Whether it is a method that is read as an attribute."""
+        return self.is_function and not PROPERTIES.isdisjoint(self.marks)
 
     @property
-    def _marks(self) -> set[str]:
-        marks = [getattr(each, "func", each) for each in self.node.decorator_list]
-        return {*map(leaf, [*marks, *getattr(self.node, "bases", ())])}
+    def is_static(self) -> bool:
+        """Whether it is a static method."""
+        return "staticmethod" in self.marks
+
+    @property
+    def marks(self) -> frozenset[str]:
+        """The names of its decorators and base classes."""
+        return _marks(self.node)
 
     @property
     def kind(self) -> Type:
         """The type of a class's instances."""
-        return Type(self.node.name if self.module.table else f"{self.module.name}.{self.node.name}")
+        return Type(f"{self.module.name}.{self.node.name}" if self.ours else self.node.name)
 
     @property
     def fields(self) -> list[ast.AnnAssign] | None:
         """The fields of a named tuple or dataclass; None for any other class."""
-        if {"dataclass", "NamedTuple"}.isdisjoint(self._marks):
+        if {"dataclass", "NamedTuple"}.isdisjoint(self.marks):
             return None
+        noted = (each for each in self.node.body if isinstance(each, ast.AnnAssign))
+        return [each for each in noted if leaf(each.annotation) != "ClassVar"]
+
+    @property
+    def declared(self) -> dict[str, ast.stmt]:
+        """The names that the body of a class defines: {name: statement}."""
+        return _declared(self.node)
+
+    @property
+    def members(self) -> frozenset[str]:
+        """The names that a class itself has: those of its body, and the attributes that its methods set."""
+        return _members(self.node)
+
+    @property
+    def parameters(self) -> list[Parameter]:
+        """The parameters of a function, self among them."""
+        args = self.node.args
+        places = [*(("/", each) for each in args.posonlyargs), *(("", each) for each in args.args)]
+        defaults = [*[None] * (len(places) - len(args.defaults)), *args.defaults]
+        found = [(how, each, default) for (how, each), default in zip(places, defaults, strict=True)]
+        keys = zip(args.kwonlyargs, args.kw_defaults, strict=True)
+        found += [("*", args.vararg, None), *(("key", *each) for each in keys), ("**", args.kwarg, None)]
         return [
-            each
-            for each in self.node.body
-            if isinstance(each, ast.AnnAssign) and leaf(each.annotation) != "ClassVar"
+            Parameter(each.arg, each.annotation, default, self.module, how)
+            for how, each, default in found
+            if each
         ]
+
+
+@cache
+def _marks(node: ast.AST) -> frozenset[str]:
+    marks = [getattr(each, "func", each) for each in getattr(node, "decorator_list", ())]
+    return frozenset(map(leaf, [*marks, *getattr(node, "bases", ())]))
+
+
+def targets(node: ast.AST) -> list[str]:
+    """Return the names that a statement of a class or a module sets."""
+    return [*map(leaf, [node.target] if isinstance(node, ast.AnnAssign) else getattr(node, "targets", []))]
+
+
+@cache
+def _declared(node: ast.ClassDef) -> dict[str, ast.stmt]:
+    found: dict[str, ast.stmt] = {}
+    for part in node.body:
+        for name in [part.name] if isinstance(part, ast.FunctionDef) else targets(part):
+            found.setdefault(name, part)
+    return found
+
+
+@cache
+def _members(node: ast.ClassDef) -> frozenset[str]:
+    methods = (part for part in node.body if isinstance(part, ast.FunctionDef))
+    return frozenset(_declared(node)).union(*map(set_in, methods))
+
+
+@cache
+def set_in(method: ast.FunctionDef) -> frozenset[str]:
+    """Return the attributes that a method assigns to."""
+    attributes = (node for node in own(method.body) if isinstance(node, ast.Attribute))
+    return frozenset(each.attr for each in attributes if isinstance(each.ctx, ast.Store))
+
+
+def own(body: Iterable[ast.AST]) -> list[ast.AST]:
+    """Return all nodes of these statements but those of functions and classes inside."""
+    return [part for node in body for part in _own(node)]
+
+
+@cache
+def _own(node: ast.AST) -> list[ast.AST]:
+    found, left = [], [node]
+    while left:
+        found.append(part := left.pop())
+        if not isinstance(part, _CLOSED):
+            left += reversed([*ast.iter_child_nodes(part)])
+    return found
 
 
 class Module:
@@ -120,13 +223,8 @@ class Library(Module):
         self.table = name
         self.tree.body = body
         for node in body:
-            if isinstance(node, ast.AnnAssign):
-                self.defined[leaf(node.target)] = node
-            elif isinstance(node, ast.ClassDef):
-                self.defined.setdefault(node.name, node)
-            elif isinstance(node, ast.FunctionDef) and not isinstance(
-                self.defined.get(node.name), ast.FunctionDef
-            ):
+            assert isinstance(node, ast.FunctionDef | ast.ClassDef)
+            if not isinstance(self.defined.get(node.name), ast.FunctionDef):
                 self.defined[node.name] = node
 
 
@@ -144,22 +242,18 @@ def libraries(table: str) -> dict[str, Library]:
 class Program:
     """All modules that are translated."""
 
-    def __init__(self, modules: Iterable[Module], table: str, runtime: str) -> None:
+    def __init__(self, modules: Iterable[Module], table: str) -> None:
         self.modules = {module.name: module for module in modules}
         self.library = libraries(table)
-        exports = re.findall(r"^export (?:const|class) (\w+|{.*?}|.*? = .*?, \w+)", runtime, re.MULTILINE)
-        self.runtime = frozenset(re.findall(r"\w+", " ".join(exports)))
-        self.classes = {
-            (f"{module.name}.{node.name}" if module.table == "" else node.name): Found(module, node)
+        classes = (
+            Found(module, node)
             for module in (*self.library.values(), *self.modules.values())
             for node in module.tree.body
             if isinstance(node, ast.ClassDef) and node.name not in module.omitted
-        }
-        self.protocols = frozenset(
-            each.kind for each in self.classes.values() if "Protocol" in map(leaf, each.node.bases)
         )
+        self.classes = {each.kind.name: each for each in classes}
+        self.protocols = frozenset(each.kind for each in self.classes.values() if "Protocol" in each.marks)
         self.annotations: dict[tuple[ast.AST, str, str], Type] = {}
-        self.present: dict[tuple[str, str], bool] = {}
         self.attributes: dict[tuple[str, str], tuple[Type, Found | None]] = {}
         self.constants: dict[ast.AST, Type] = {}
         self.overloaded: dict[ast.AST, list[Found]] = {}
@@ -189,21 +283,19 @@ class Program:
         return next((Found(each, each.defined[real]) for each in inside if real in each.defined), None)
 
     def variants(self, of: Found) -> list[Found]:
-        """Return the forms of a function: the overloaded ones, or itself."""
+        """Return the forms of a function: all in the table, of ours the overloaded ones, or itself."""
         if of.node not in self.overloaded:
-            bodies = [
-                of.module.tree.body,
-                *(each.body for each in of.module.tree.body if isinstance(each, ast.ClassDef)),
-            ]
-            same = [
-                each
+            top = of.module.tree.body
+            bodies = [top, *(each.body for each in top if isinstance(each, ast.ClassDef))]
+            forms = [
+                of._replace(node=each)
                 for body in bodies
                 if of.node in body
                 for each in body
                 if isinstance(each, ast.FunctionDef) and each.name == of.node.name
             ]
-            forms = [each for each in same if "overload" in map(leaf, each.decorator_list)] or same[-1:]
-            self.overloaded[of.node] = [of._replace(node=each) for each in forms]
+            overloads = [each for each in forms if "overload" in each.marks] or forms[-1:]
+            self.overloaded[of.node] = overloads if of.ours else forms
         return self.overloaded[of.node]
 
     def lineage(self, of: Found) -> Iterator[Found]:
@@ -213,17 +305,21 @@ class Program:
             if (found := self.find(of.module, leaf(base))) and found.is_class:
                 yield from self.lineage(found)
 
-    def signature(self, of: Found | None) -> ast.arguments | None:
-        """Return the parameters of a function or a class."""
-        if of and isinstance(of.node, ast.FunctionDef):
-            return of.node.args
-        if not of or not of.is_class:
-            return None
-        names: list[str] = []
-        for each in self.lineage(of):
-            for member in each.node.body:
-                if isinstance(member, ast.FunctionDef) and member.name == "__init__":
-                    return member.args
-            if each.fields is not None:
-                names = [leaf(field.target) for field in each.fields] + names
-        return ast.arguments([], [ast.arg(name) for name in names], None, [], [], None, [])
+    def fields(self, of: Found) -> list[Parameter]:
+        """Return the fields of a record, those of its base classes first."""
+        found: dict[str, Parameter] = {}
+        for each in reversed([*self.lineage(of)]):
+            for field in each.fields or []:
+                name = leaf(field.target)
+                found[name] = Parameter(name, field.annotation, field.value, each.module)
+        return [*found.values()]
+
+    def signature(self, of: Found | None) -> list[Parameter] | None:
+        """Return the parameters of a function or a class, without self; None of anything else."""
+        if of and of.is_class:
+            inits = (each._replace(node=each.declared.get("__init__")) for each in self.lineage(of))
+            init = next((each for each in inits if each.node), None)
+            if init is None:
+                return self.fields(of)
+            of = init
+        return [each for each in of.parameters if each.name != "self"] if of and of.is_function else None

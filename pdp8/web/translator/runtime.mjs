@@ -386,17 +386,13 @@ export const power_ = (a, b) => {
 };
 const rest = (a, b) => {
   const left = a % b;
-  return left !== 0 && left < 0 !== b < 0 ? left + b : left;
+  return left != 0 && left < 0 !== b < 0 ? left + b : left;
 };
-const great_rest = (a, b) => {
-  const left = a % b;
-  return left !== 0n && left < 0n !== b < 0n ? left + b : left;
-};
-export const mod = (a, b) => wholly(rest, great_rest)(a, divisor(b, "integer modulo by zero"));
+export const mod = (a, b) => wholly(rest, rest)(a, divisor(b, "integer modulo by zero"));
 const quotient = wholly((a, b) => {
   const over = a - rest(a, b);
   return small(over) ? over / b : Infinity;
-}, (a, b) => (a - great_rest(a, b)) / b);
+}, (a, b) => (a - rest(a, b)) / b);
 export const floordiv = (a, b) => quotient(a, divisor(b, "integer division or modulo by zero"));
 const signed = (of, as) => (of === 0 ? copysign(0, as) : of);
 const floats = (a, b) => {
@@ -525,7 +521,7 @@ export const repr = (of) => {
   if (typeof of === "number") return digits(of);
   if (typeof of === "string") return quoted(of, /[\\\p{C}\p{Zl}\p{Zp}\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]/gu);
   if (of instanceof Bytes) return `b${quoted(latin(of), /[\\\x00-\x1f\x7f-\xff]/g)}`;
-  if (of instanceof Record) return `${of.constructor.name}(${of.constructor.$fields.map((name) => `${name}=${repr(of[name])}`).join(", ")})`;
+  if (of instanceof Record) return displayed(of, ...fields(of).map(() => repr));
   if (of instanceof Dict) return shown_dict(of, repr, repr);
   return Array.isArray(of) ? shown_list(of, repr) : String(of);
 };
@@ -533,7 +529,10 @@ export const shown_list = (of, item) => `[${of.map((value) => item(value)).join(
 export const shown_row = (of, item) => shown_tuple(of, of.map(() => item));
 export const shown_tuple = (of, items) => `(${of.map((value, place) => items[place](value)).join(", ")}${of.length === 1 ? "," : ""})`;
 export const shown_dict = (of, name, value) => `{${Array.from(of.items(), ([k, held]) => `${name(k)}: ${value(held)}`).join(", ")}}`;
-export const displayed = (of, ...items) => `${of.constructor.name}(${of.constructor.$fields.map((name, place) => `${name}=${items[place](of[name])}`).join(", ")})`;
+export const displayed = (of, ...items) => {
+  const parts = of.constructor.$fields.map((name, place) => `${name}=${items[place](of[name])}`);
+  return `${of.constructor.name}(${parts.join(", ")})`;
+};
 /** A number to so many places, half to even as CPython does it: what JavaScript rounds is exact but for ties. */
 const fixed = (of, places) => {
   if (of >= 1e21) return `${Number.isFinite(of) ? BigInt(of) : "inf"}${places && Number.isFinite(of) ? `.${"0".repeat(places)}` : ""}`;
@@ -673,23 +672,20 @@ const best = (wins, name) => (of) => {
 };
 export const min = best((a, b) => lt(a, b), "min");
 export const max = best((a, b) => lt(b, a), "max");
-export const sum = (of, start = 0) => {
-  for (const item of of) start = add(start, item);
-  return start;
+const summed = (by) => (of) => {
+  let found = 0;
+  for (const item of of) found = by(found, item);
+  return found;
 };
+export const sum = summed(add);
 /** A sum of whole numbers. */
-export const total = (of, start = 0) => {
-  for (const item of of) start = plus(start, item);
-  return start;
+export const total = summed(plus);
+const until = (decides) => (of) => {
+  for (const item of of) if (truth(item) === decides) return decides;
+  return !decides;
 };
-export const any = (of) => {
-  for (const item of of) if (truth(item)) return true;
-  return false;
-};
-export const all = (of) => {
-  for (const item of of) if (!truth(item)) return false;
-  return true;
-};
+export const any = until(true);
+export const all = until(false);
 export const sorted = (of, by = (item) => item, reverse = false) => {
   const keyed = Array.from(of, (item) => [by(item), item]);
   keyed.sort(([a], [b]) => (lt(a, b) ? -1 : lt(b, a) ? 1 : 0) * (reverse ? -1 : 1));

@@ -4,18 +4,17 @@ A function's names are declared at its beginning, since in Python they are the w
 """
 
 import ast
+from collections.abc import Iterable
 
 from pdp8.web.translator.assigned import Assigned
-from pdp8.web.translator.expressions import Expressions, named
-from pdp8.web.translator.inference import own
+from pdp8.web.translator.calls import Calls, one_or_several
+from pdp8.web.translator.expressions import named
+from pdp8.web.translator.program import Found, own
 from pdp8.web.translator.types import (
     ANY,
     BOOL,
-    INT,
     NUMBERS,
-    PLAIN,
     WHOLE,
-    WORD,
     Type,
     either,
     join,
@@ -26,11 +25,12 @@ from pdp8.web.translator.types import (
 )
 
 _MARKS = {"property", "setter", "cached_property", "contextmanager", "staticmethod", "cache"}
+_CHANGEABLE = ast.List | ast.Dict | ast.Set | ast.ListComp | ast.DictComp | ast.SetComp | ast.GeneratorExp
 _FEW = 5
 """Cases that are left to `if`."""
 
 
-class Statements(Expressions):
+class Statements(Calls):
     """Writes the statements of one module."""
 
     loops: list[str]
@@ -71,15 +71,12 @@ class Statements(Expressions):
             case ast.Assign([target], value):
                 return [self.put(target, self._right(target, value), value)]
             case ast.AnnAssign(target, annotation, ast.expr() as value):
-                self.expect(value, self.annotated(annotation))
-                text = self.e(value)
-                self.accept(value, self.annotated(annotation))
-                return [self.put(target, text, value)]
+                return [self.put(target, self.accepted(value, self.annotated(annotation)), value)]
             case ast.Assign(targets, value):
                 once = self.temp()
                 return [f"{once} = {self.e(value)};", *(self.put(target, once, value) for target in targets)]
-            case ast.AugAssign(target, operator, value):
-                return self._changed(node, target, operator, value)
+            case ast.AugAssign(target, _, value):
+                return self._changed(node, target, value)
             case ast.If(ast.Compare(ast.Name(name))) if len(cases := self._cases([node], name)) > _FEW:
                 return self._switch(name, cases)
             case ast.If(test, body, other):
@@ -89,12 +86,7 @@ class Statements(Expressions):
             case ast.For(ast.Name() | ast.Tuple() as target, source, body, []):
                 return self._for(node, target, source, body)
             case ast.Return(value):
-                if value:
-                    self.expect(value, self.returns)
-                text = self.e(value) if value else "null"
-                if value:
-                    self.accept(value, self.returns)
-                return [f"return {text};"]
+                return [f"return {self.accepted(value, self.returns) if value else 'null'};"]
             case ast.Break():
                 return [f"break {self.loops[-1]};"]  # by its label, out of a switch too
             case ast.Continue():
@@ -102,9 +94,7 @@ class Statements(Expressions):
             case ast.Raise(error):
                 return [f"throw {self._raised(error)};"]
             case ast.FunctionDef():
-                held, self.held = self.held, dict(self.held)
                 star, head, *rest = self.function(node)
-                self.held = held
                 if star:
                     self.fail(node, "a generator within a function", "a function of the module")
                 return [f"{named(node.name)} = {head} => {{", *rest[:-1], "};"]
@@ -113,7 +103,7 @@ class Statements(Expressions):
             case ast.With([ast.withitem(context, None)], body):
                 return self._with(context, body)
             case ast.Delete([ast.Subscript(of, key)]) if self.infer(of).name == "dict":
-                self._index(of, key, self.infer(of))
+                self.index(of, key, self.infer(of))
                 return [f"{self.e(of)}.pop_({self.e(key)});"]
         self.fail(node, instead=_INSTEAD.get(type(node), ""))
 
@@ -124,8 +114,15 @@ class Statements(Expressions):
             return "$e"
         found = self.found(error)
         if found and found.is_class:
-            return self.e(ast.copy_location(ast.Call(error, [], []), error))
+            error = ast.copy_location(ast.Call(error, [], []), error)
         return self.e(error)
+
+    def accepted(self, value: ast.expr, wanted: Type) -> str:
+        """Return a value; refuse what is not of the type that is wanted."""
+        self.expect(value, wanted)
+        text = self.e(value)
+        self.accept(value, wanted)
+        return text
 
     def _right(self, target: ast.expr, value: ast.expr) -> str:
         """Return what is assigned; refuse another type than the target has."""
@@ -161,10 +158,10 @@ class Statements(Expressions):
             case [ast.If(_, one, other)]:
                 return self._ends(one) and self._ends(other)
             case [ast.Expr(ast.Call() as call)]:
-                return self.infer(call).name == "never"
+                return self._never(call)
         return False
 
-    def _set_in(self, body: list[ast.stmt]) -> None:
+    def _set_in(self, body: Iterable[ast.AST]) -> None:
         """Forget what has been said of what these statements set."""
         for node in own(body):
             if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
@@ -176,130 +173,113 @@ class Statements(Expressions):
         head = f"while ({self.test(test)})"
         self.held = before | self.said(test, True)
         lines = self._loop(head, body)
-        self.held = before
-        if not any(isinstance(each, ast.Break) for each in own(body)):
-            self.held = before | self.said(test, False)
+        breaks = any(isinstance(each, ast.Break) for each in own(body))
+        self.held = before if breaks else before | self.said(test, False)
         return lines
 
     def _for(self, node: ast.For, target: ast.expr, source: ast.expr, body: list[ast.stmt]) -> list[str]:
-        if isinstance(target, ast.Name) and (counting := self._counting(source)):
-            before, head, count = counting
-            self._set_in([node])
-            held = dict(self.held)
+        counted = self._counted_in(source) if isinstance(target, ast.Name) else None
+        text = "" if counted else self.iterated(source)
+        self._set_in([node])
+        held = dict(self.held)
+        if counted:
+            count, before, end = counted
+            head = f"for (; {count} < {end}; {count}++)"
             lines = [before, *self._loop(head, body, f"{self.e(target)} = {count};")]
         else:
-            text = self.iterated(source)
-            self._set_in([node])
-            held = dict(self.held)
             lines = self._loop(self.looped(target, text, source, ""), body)
         self.held = held
         return lines
 
-    def _counting(self, source: ast.expr) -> tuple[str, str, str] | None:
-        """Return what comes before a loop over a range, its head, and what counts."""
+    def _counted_in(self, source: ast.expr) -> tuple[str, str, str] | None:
+        """Return what counts in a loop over a range, what sets it before, and the end; None of others."""
         match source:
-            case ast.Call(ast.Name("range"), [*args], []) if len(args) < 3 and "range" not in self.scope:
+            case ast.Call(ast.Name("range"), [_] | [_, _], []) if "range" not in self.scope:
+                first, last = source.args if len(source.args) == 2 else (ast.Constant(0), *source.args)
                 found = self.found(source.func)
-                if not found or not found.module.table or not all(self.infer(each) in WHOLE for each in args):
+                if not found or found.ours or not all(self.infer(each) in WHOLE for each in (first, last)):
                     return None
-                first, last = args if len(args) == 2 else (ast.Constant(0), args[0])
                 count = self.temp()
+                before = f"{count} = {self.e(first)};"
                 if whole(last) is not None:
-                    return (
-                        f"{count} = {self.e(first)};",
-                        f"for (; {count} < {self.e(last)}; {count}++)",
-                        count,
-                    )
+                    return count, before, self.e(last)
                 end = self.temp()
-                return (
-                    f"{count} = {self.e(first)}; {end} = {self.e(last)};",
-                    f"for (; {count} < {end}; {count}++)",
-                    count,
-                )
+                return count, f"{before} {end} = {self.e(last)};", end
         return None
 
     def function(self, node: ast.FunctionDef) -> list[str]:
         """Return a function: a * if it is a generator, its parameters, its statements and a brace."""
-        if marks := set(map(leaf, node.decorator_list)) - _MARKS:
+        of = Found(self.module, node)
+        if marks := {*of.marks} - _MARKS:
             self.fail(node, f"decorator {marks}")
-        args = node.args
-        if args.posonlyargs:
+        if node.args.posonlyargs:
             self.fail(node, "parameters by place only", "them without /")
-        head = f"({', '.join(self._parameters(node))})"
+        head = f"({', '.join(self._parameters(of))})"
         body = own(node.body)
-        scope = self.parameters(node)
-        self.scope = self.scope.new_child(scope)
-        given = {*scope, *(name for part in body if isinstance(part, ast.Nonlocal) for name in part.names)}
-        for part in body:
-            if isinstance(part, ast.FunctionDef):
-                takes = [self.annotated(each.annotation) for each in part.args.args]
-                scope[part.name] = Type("call", (self.annotated(part.returns), *takes))
-            elif isinstance(part, ast.Nonlocal):
-                scope |= {name: self.scope.parents[name] for name in part.names if name in self.scope.parents}
-        self.learn(node.body)
-        outer = self.declared, self.returns, self.loops, self.catching
-        notes = {leaf(part.target): part.annotation for part in body if isinstance(part, ast.AnnAssign)}
-        self.declared = {
-            **self.parameters(node),
-            **{name: self.annotated(each) for name, each in notes.items() if name},
-        }
+        outside = {name for part in body if isinstance(part, ast.Nonlocal) for name in part.names}
+        around = {name: self.scope[name] for name in outside if name in self.scope}
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
+        notes = {leaf(part.target): part.annotation for part in body if isinstance(part, ast.AnnAssign)}
+        outer = self.declared, self.returns, self.loops, self.catching
+        self.declared = self.parameters(node)
+        given = {*self.declared, *outside}
+        self.declared |= {name: self.annotated(each) for name, each in notes.items() if name}
         self.returns = ANY if star or node.returns is None else self.annotated(node.returns)
         self.loops, self.catching = [], False
-        if star and "contextmanager" not in map(leaf, node.decorator_list):
+        if star and "contextmanager" not in of.marks:
             self._lazy(body)
-        Assigned(
-            {name for name in scope if name not in given},
-            self.fail,
-            self.constant,
-            lambda call: self.infer(call).name == "never",
-        ).after(node.body, frozenset())
-        self.temporary.append([])
-        lines = self.block(node.body)
+        with self.naming(self.parameters(node)):
+            scope = self.scope.maps[0]
+            for part in body:
+                if isinstance(part, ast.FunctionDef):
+                    takes = self._takes(Found(self.module, part))
+                    scope[part.name] = Type("call", (self.annotated(part.returns), *takes))
+            scope.update(around)
+            self.learn(node.body)
+            local = [name for name in scope if name not in given]
+            Assigned(local, self.fail, self.constant, self._never).after(node.body, frozenset())
+            self.temporary.append([])
+            lines = self.block(node.body)
+            local = [named(name) for name in scope if name not in given and name[0] != "$"]
+        local += self.temporary.pop()
         self.declared, self.returns, self.loops, self.catching = outer
-        local = [named(name) for name in scope if name not in given and name[0] != "$"] + self.temporary.pop()
-        self.scope = self.scope.parents
         return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
+
+    def _never(self, node: ast.expr) -> bool:
+        """Whether nothing comes after a call."""
+        return self.infer(node).name == "never"
 
     def _lazy(self, body: list[ast.AST]) -> None:
         """Refuse a generator that has something left to do where it is left."""
         for part in body:
             if isinstance(part, ast.Try | ast.With) and any(
-                isinstance(each, ast.Yield | ast.YieldFrom)
-                for each in own(list(ast.iter_child_nodes(part)))  # type: ignore[arg-type]
+                isinstance(each, ast.Yield | ast.YieldFrom) for each in own(ast.iter_child_nodes(part))
             ):
                 self.fail(part, "yield within try or with", "the list of what it yields")
 
-    def _parameters(self, node: ast.FunctionDef) -> list[str]:
-        args = node.args
-        defaults = [None] * (len(args.args) - len(args.defaults)) + list(args.defaults)
-        pairs: list[tuple[ast.arg | None, ast.expr | None]] = [*zip(args.args, defaults, strict=True)]
-        pairs += [(args.vararg, None), *zip(args.kwonlyargs, args.kw_defaults, strict=True)]
+    def _parameters(self, of: Found) -> list[str]:
         found = []
-        for each, default in [*pairs, (args.kwarg, None)]:
-            if each is None or (each.arg == "self" and self.owner):
+        for each in of.parameters:
+            if each.name == "self" and self.owner:
                 continue
-            if default is not None:
-                self._fixed(default, each.annotation)
+            default = ""
+            if each.default is not None:
+                self.fixed(each.default, each.annotation)
                 if each.annotation is not None:
-                    self.accept(default, self.annotated(each.annotation))
-            found.append(named(each.arg) + (f" = {self.e(default)}" if default else ""))
+                    self.accept(each.default, self.annotated(each.annotation))
+                default = f" = {self.e(each.default)}"
+            found.append(named(each.name) + default)
         return found
 
-    def _fixed(self, node: ast.expr, annotation: ast.expr | None) -> None:
+    def fixed(self, node: ast.expr, annotation: ast.expr | None) -> None:
         """Refuse a default that Python makes once and JavaScript at each call, unless it is only read."""
-        if (
-            leaf(annotation) in ("Mapping", "Sequence", "Iterable", "Collection", "Set")
-            and not list(own([ast.Expr(node)]))[2:]
-        ):
+        is_read = leaf(annotation) in ("Mapping", "Sequence", "Iterable", "Collection", "Set")
+        if is_read and not own([ast.Expr(node)])[2:]:
             return
         for each in ast.walk(node):
             if isinstance(each, ast.Name) and each.id in self.scope:
                 self.fail(node, "a default of a name that may change", "None and the value in the function")
-            if isinstance(
-                each,
-                ast.List | ast.Dict | ast.Set | ast.ListComp | ast.DictComp | ast.SetComp | ast.GeneratorExp,
-            ):
+            if isinstance(each, _CHANGEABLE):
                 self.fail(node, "a default that may change", "None and the value in the function")
             if isinstance(each, ast.Call):
                 found = self.found(each.func)
@@ -312,108 +292,83 @@ class Statements(Expressions):
         match target:
             case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 kind = self.known(of)
-                if kind.name == "dict":
-                    self._index(of, index, kind)
-                    return f"{self.e(of)}.set({self.e(index)}, {value});"
-                own_class = self.program.classes.get(kind.name)
-                ours = own_class and own_class.module.table == ""
-                if kind.name not in ("list", "words", "bytearray") and not ours and not self.trusted:
-                    self.fail(target, f"an item of {kind} is set", "a list")
-                if not self.trusted:
-                    self._index(of, index, kind)
                 direct = kind.name in ("list", "words", "bytearray")
+                if not direct and kind.name != "dict" and not self.ours(kind):
+                    self.refuse(target, f"an item of {kind} is set", "a list")
+                self.index(of, index, kind)
+                if kind.name == "dict":
+                    return f"{self.e(of)}.set({self.e(index)}, {value});"
                 if self.checked or not direct or (whole(index) or 0) < 0:
                     return f"$.put({self.e(of)}, {self.e(index)}, {value});"
                 return f"{self.e(of)}[{self.e(index)}] = {value};"
             case ast.Name(name):
                 self._now(name, node, self.scope.get(name, ANY))
                 return f"{self.e(target)} = {value};"
-            case ast.Attribute(of, name):
+            case ast.Attribute(of):
                 self._changeable(target, of)
-                kind = self._attribute_type(target, None)
-                self._now(ast.unparse(target), node, kind)
+                self._now(ast.unparse(target), node, self._attribute_type(target, None))
                 return f"{self.target(target)} = {value};"
             case ast.Tuple() if not any(isinstance(each, ast.Subscript) for each in ast.walk(target)):
-                for each in ast.walk(target):
-                    if isinstance(each, ast.Name | ast.Attribute) and isinstance(each.ctx, ast.Store):
-                        self.forget(ast.unparse(each))
+                self._set_in([target])
                 kind = self.infer(node) if node else ANY
                 if not self.fits_target(target, kind):
-                    count, star = self._counted(target, kind)
-                    value = f"$.unpack({value}, {count}{star})"
-                    if not self.fits(kind, Type("iterable", (ANY,))) and not self.trusted:
-                        self.fail(target, f"{kind} is unpacked", "an annotation")
+                    value = f"$.unpack({value}, {self.counted(target, kind)})"
+                    if not self.fits(kind, Type("iterable", (ANY,))):
+                        self.refuse(target, f"{kind} is unpacked", "an annotation")
                 return f"{self.target(target)} = {value};"
         self.fail(target, instead="an assignment to a name or an item")
 
     def _now(self, key: str, node: ast.expr | None, declared: Type) -> None:
         """Know the type that a name or an attribute has from here on."""
-        kind = self.infer(node) if node is not None and declared.name in ("|", "SupportsInt") else None
+        kind = self.infer(node) if node is not None and declared.name in ("|", "SupportsInt") else ANY
         self.forget(key)
-        if (
-            kind is not None
-            and kind != ANY
-            and (declared.name != "|" or all(each in declared.of for each in either(kind)))
-        ):
+        if kind != ANY and (declared.name != "|" or all(each in declared.of for each in either(kind))):
             self.held[key] = kind
 
     def _changeable(self, target: ast.Attribute, of: ast.expr) -> None:
         """Refuse to set what cannot be set, or not so in JavaScript."""
         found = self.found(of)
-        if found is not None and (found.node is None or found.is_class):
+        if found is not None and (found.is_module or found.is_class):
             self.fail(target, "an attribute of a class or module is set", "an attribute of an instance")
-        if self.trusted:
-            return
         self.attributed(target)
         for each in either(self.known(of)):
-            known = self.program.classes.get(each.name)
-            if (
-                known
-                and known.fields is not None
-                and (known.is_tuple or "frozen=True" in "".join(map(ast.unparse, known.node.decorator_list)))
-            ):
-                self.fail(target, "a field of what is frozen is set", "replace(...)")
+            known = self.ours(each)
+            marks = "".join(map(ast.unparse, known.node.decorator_list)) if known else ""
+            if known and (known.is_tuple or "frozen=True" in marks):
+                self.refuse(target, "a field of what is frozen is set", "replace(...)")
 
     def _all(self, targets: list[ast.expr], values: list[ast.expr]) -> list[str]:
         """Return `a, b = x, y`: all values are there before any is assigned."""
-        given = [
-            (self.temp(), self._right(target, value)) for target, value in zip(targets, values, strict=True)
-        ]
-        before = [f"{once} = {value};" for once, value in given]
-        puts = []
-        for target, (once, _), value in zip(targets, given, values, strict=True):
-            puts.append(self.put(target, once, value))
-        return before + puts
+        given = []
+        for target, value in zip(targets, values, strict=True):
+            given.append((target, self.temp(), self._right(target, value), value))
+        before = [f"{once} = {text};" for _, once, text, _ in given]
+        return before + [self.put(target, once, value) for target, once, _, value in given]
 
-    def _changed(
-        self, node: ast.AugAssign, target: ast.expr, operator: ast.operator, value: ast.expr
-    ) -> list[str]:
+    def _changed(self, node: ast.AugAssign, target: ast.expr, value: ast.expr) -> list[str]:
         """Return `target += value`; what leads to the target is looked at once."""
         before, target = self._once(target)
         now, by = self.e(target), self.e(value)
         kind = without_none(self.infer(target))
-        plain = kind in PLAIN or kind.name in ("tuple", "row", "bytes", "|") or kind == ANY
         if isinstance(target, ast.Name | ast.Attribute) and kind in (*NUMBERS, BOOL):
-            self.accept_number(node, target, operator, value)
-        if not plain and isinstance(operator, ast.Add | ast.BitOr):
-            if kind.name in ("list", "bytearray"):
-                by = self.iterated(value)
-            elif kind.name not in ("set", "dict") or self.infer(value).name != kind.name:
-                self.fail(node, f"{kind} grows")
-            by += ", $.add" if isinstance(operator, ast.Add) else ", $.or_"
-            return [*before, self.put(target, f"$.grown({now}, {by})")]
-        if not plain and kind.name in ("set", "dict", "list", "bytearray"):
+            self._accept_number(node, target)
+        if kind.name not in ("list", "bytearray", "set", "dict"):
+            return [*before, self.put(target, self.binary(node, node.op, (now, target), (by, value)))]
+        is_sum, is_union = isinstance(node.op, ast.Add), isinstance(node.op, ast.BitOr)
+        if not is_sum and not is_union:
             self.fail(node, f"{kind} is changed by this operator")
-        return [*before, self.put(target, self.binary(node, operator, (now, target), (by, value)))]
+        if kind.name in ("list", "bytearray"):
+            by = self.iterated(value)
+        elif self.infer(value).name != kind.name:
+            self.fail(node, f"{kind} grows")
+        return [*before, self.put(target, f"$.grown({now}, {by}, $.{'add' if is_sum else 'or_'})")]
 
-    def accept_number(
-        self, node: ast.AugAssign, target: ast.expr, operator: ast.operator, value: ast.expr
-    ) -> None:
+    def _accept_number(self, node: ast.AugAssign, target: ast.Name | ast.Attribute) -> None:
         """Refuse `n /= 2` where n is annotated an int."""
         wanted = self.declared.get(target.id) if isinstance(target, ast.Name) else self.infer(target)
-        result = self.infer(ast.copy_location(ast.BinOp(target, operator, value), node))
-        if wanted in (INT, WORD) and result not in (INT, WORD, BOOL) and not self.trusted:
-            self.fail(node, f"{result} where {wanted} is annotated")
+        result = self.infer(ast.copy_location(ast.BinOp(target, node.op, node.value), node))
+        if wanted in WHOLE and result not in (*WHOLE, BOOL):
+            self.refuse(node, f"{result} where {wanted} is annotated")
 
     def _once(self, target: ast.expr) -> tuple[list[str], ast.expr]:
         """Return a target whose parts are names, and what sets these before."""
@@ -422,14 +377,11 @@ class Statements(Expressions):
         def simple(part: ast.expr) -> ast.expr:
             if isinstance(part, ast.Name | ast.Constant) or whole(part) is not None:
                 return part
-            if isinstance(part, ast.Attribute) and not (found := self.found(part)) and not found:
+            if isinstance(part, ast.Attribute) and not self.found(part):
                 return ast.copy_location(ast.Attribute(simple(part.value), part.attr, ast.Load()), part)
-            if (
-                isinstance(part, ast.BinOp)
-                and isinstance(part.left, ast.Name)
-                and whole(part.right) is not None
-            ):
-                return part
+            match part:
+                case ast.BinOp(ast.Name(), _, right) if whole(right) is not None:
+                    return part
             once = self.temp()
             before.append(f"{once} = {self.e(part)};")
             self.scope.maps[0][once] = self.infer(part)
@@ -502,13 +454,13 @@ class Statements(Expressions):
             found = self.found(each)
             if not found or not found.is_class:
                 self.fail(each, f"the table of what may be used has no error {leaf(each)}")
-            texts.append(f"$.{leaf(each)}" if found.module.table else self.dotted(each, leaf(each)))
-        return f"$.isinstance($e, {texts[0] if len(texts) == 1 else '[' + ', '.join(texts) + ']'})"
+            texts.append(self.dotted(each) if found.ours else f"$.{leaf(each)}")
+        return f"$.isinstance($e, {one_or_several(texts)})"
 
     def _with(self, context: ast.expr, body: list[ast.stmt]) -> list[str]:
         """A context manager is a generator: what comes after its `yield` is done with the error, if any."""
         found = self.found(context.func) if isinstance(context, ast.Call) else None
-        if not found or "contextmanager" not in map(leaf, getattr(found.node, "decorator_list", ())):
+        if not found or "contextmanager" not in found.marks:
             self.fail(context, "a context manager that is no generator", "a function with @contextmanager")
         once = self.temp()
         begin = f"{once} = {self.e(context)}; {once}.next();"

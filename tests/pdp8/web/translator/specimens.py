@@ -49,7 +49,7 @@ def tried(specimens: Mapping[str, str], folder: Path) -> dict[str, Tried]:
         refused.setdefault(path, why)
 
     sources = {name: (name, source) for name, source in specimens.items()}
-    written = translate(sources, {}, runtime(), note)
+    written = translate(sources, {}, note)
     names = [name for name in specimens if name not in refused]
     target = folder / "pdp8" / "web" / "translator" / "runtime.mjs"
     target.parent.mkdir(parents=True, exist_ok=True)

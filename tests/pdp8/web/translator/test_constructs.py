@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.web.translator import runtime
 from pdp8.web.translator.modules import translate
 from pdp8.web.translator.program import Untranslated
 from tests.pdp8.web.node import called, needs_node, plain, write
@@ -19,7 +18,7 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
     functions = [each for each in own if not each.__name__.startswith("_")]
     path = Path(constructs.__file__)
     modules = {"constructs": (str(path), path.read_text(encoding="utf-8"))}
-    write(tmp_path, translate(modules, {}, runtime()))
+    write(tmp_path, translate(modules, {}))
     returned = called(*(("constructs", function.__name__) for function in functions), folder=tmp_path)
     for function, there in zip(functions, returned, strict=True):
         for number, (other, one) in enumerate(zip(there, plain(function()), strict=True)):
@@ -34,7 +33,7 @@ def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
         "    try:\n        raise there.A('b')\n    except there.A:\n        return isinstance(x, there.A)\n"
     )
     modules = {"pal.there": ("there.py", there), "pal.here": ("here.py", here)}
-    write(tmp_path, translate(modules, {}, runtime()))
+    write(tmp_path, translate(modules, {}))
     assert called(("pal/here", "f", "x"), folder=tmp_path) == [False]
 
 
@@ -62,6 +61,6 @@ def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
 )
 def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: str) -> None:
     with pytest.raises(Untranslated) as raised:
-        translate({"m": ("m.py", source)}, {}, runtime())
+        translate({"m": ("m.py", source)}, {})
     assert str(raised.value).startswith(f"m.py:{said}")
     assert gc.isenabled()  # it is off while modules are translated

@@ -7,7 +7,6 @@ from typing import Any
 from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
-from pdp8.web.translator import runtime
 from pdp8.web.translator.modules import translate
 from tests.pdp8.web.node import called, needs_node, write
 
@@ -97,7 +96,7 @@ def test_expressions_have_the_same_value(tmp_path: Path) -> None:
 
     gather()
     text = "\n".join(f"def f{at}({NAMES}):\n    return {case[0]}\n" for at, case in enumerate(gathered))
-    write(tmp_path, translate({"sample": ("sample.py", text)}, {}, runtime()))
+    write(tmp_path, translate({"sample": ("sample.py", text)}, {}))
     calls = (
         ("sample", f"f{at}", *(names[each] for each in "abxpstfl"))
         for at, (_, names, _) in enumerate(gathered)
