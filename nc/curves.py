@@ -165,20 +165,19 @@ class StraightLine(Curve):
 
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
         """Return points from end to end, and the normal to the left."""
-        start, direction = np.array([self.x1, self.y1]), self._direction()
-        return start + part[:, None] * direction, np.tile(self._normal(), (len(part), 1))
+        start, way, normal = self._frame
+        return start + part[:, None] * way, np.tile(normal, (len(part), 1))
 
     def deviations(self, points: Floats) -> Floats:
         """Return the distance to the left of the line, seen along it."""
-        start = np.array([self.x1, self.y1])
-        return np.asarray((points - start) @ self._normal())
+        start, _, normal = self._frame
+        return np.asarray((points - start) @ normal)
 
-    def _direction(self) -> Floats:
-        return np.array([self.x2 - self.x1, self.y2 - self.y1], dtype=np.float64)
-
-    def _normal(self) -> Floats:
-        direction = self._direction()
-        return np.asarray([-direction[1], direction[0]] / np.hypot(direction[0], direction[1]))
+    @property
+    def _frame(self) -> tuple[Floats, Floats, Floats]:
+        """Its start, the way to its end, and its normal."""
+        way = np.array([self.x2 - self.x1, self.y2 - self.y1], dtype=np.float64)
+        return np.array([self.x1, self.y1]), way, np.array([-way[1], way[0]]) / np.hypot(way[0], way[1])
 
     def said(self, unit: Unit) -> str:
         """Return a description of its ends."""

@@ -347,11 +347,8 @@ def _finer(measured: Walls) -> Stations:
 def _joined(one: Walls, other: Walls) -> Walls:
     """Return the walls at both sets of stations, for readings."""
     here, there = one.stations, other.stations
-    stations = Stations(
-        np.concatenate([here.points, there.points]),
-        np.concatenate([here.normals, there.normals]),
-        np.concatenate([here.along, there.along]),
-    )
+    fields = ((here.points, there.points), (here.normals, there.normals), (here.along, there.along))
+    stations = Stations(*map(np.concatenate, fields))
     outer, inner = np.concatenate([one.outer, other.outer]), np.concatenate([one.inner, other.inner])
     return Walls(stations, outer, inner, one.part_wall)
 
@@ -415,29 +412,19 @@ def _through_sides(stations: Stations, sides: Floats, radius: float) -> tuple[Fl
 
 
 WHOLE = "whole length"
-_APEXES = (("+X apex", 0), ("+Y apex", 90), ("-X apex", 180), ("-Y apex", 270))
-_DIAGONALS = (("45° +X+Y", 45), ("45° -X+Y", 135), ("45° -X-Y", 225), ("45° +X-Y", 315))
-_APEX_REACH = 10.0
-_DIAGONAL_REACH = 5.0
+_PLACES = (
+    *(("+X apex", 0, 10), ("+Y apex", 90, 10), ("-X apex", 180, 10), ("-Y apex", 270, 10)),
+    *(("45° +X+Y", 45, 5), ("45° -X+Y", 135, 5), ("45° -X-Y", 225, 5), ("45° +X-Y", 315, 5)),
+)
+"""Where a closed curve is read: by normals of this angle, and so many degrees to each side."""
 
 
 def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
     """Yield the readings of both walls: of all, and of a closed curve at the apexes and at 45 degrees."""
-    yield from _readings_at(WHOLE, None, measured, np.ones(len(measured.stations), dtype=np.bool_))
-    if not curve.closed:
-        return
-    angles = measured.stations.angles
-    for places, reach in ((_APEXES, _APEX_REACH), (_DIAGONALS, _DIAGONAL_REACH)):
-        for name, angle in places:
-            off = np.abs((angles - angle + 180) % 360 - 180)
-            yield from _readings_at(name, angle, measured, off <= reach)
-
-
-def _readings_at(
-    name: str, angle: float | None, measured: Walls, chosen: NDArray[np.bool_]
-) -> Iterator[Reading]:
-    for wall, deviation in measured.by_name.items():
-        seen = deviation[chosen]
-        seen = seen[np.isfinite(seen)]
-        if len(seen):
-            yield Reading(name, angle, wall, float(seen.min()), float(seen.max()))
+    off = measured.stations.angles + 180
+    for name, angle, reach in ((WHOLE, None, 180), *(_PLACES if curve.closed else ())):
+        chosen = np.abs((off - (angle or 0)) % 360 - 180) <= reach
+        for wall, deviation in measured.by_name.items():
+            seen = deviation[chosen & np.isfinite(deviation)]
+            if len(seen):
+                yield Reading(name, angle, wall, float(seen.min()), float(seen.max()))

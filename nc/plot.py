@@ -87,7 +87,8 @@ def _title(path: Path, cutter: float, unit: Unit) -> str:
 def _heading(path: Path, curve: Curve | None, current: int, unit: Unit) -> list[tuple[str, str]]:
     """Return the description of the current block, in lines that fit the sheet, each with its colour."""
     step = path.steps[current - 1]
-    said = [(f"block {current}: {spaced(step.block)} — {does(step)}", _NOW), (in_force(step), INK)]
+    inches = ", in inches" * (unit is not INCH)
+    said = [(f"block {current}{inches}: {spaced(step.block)} — {does(step)}", _NOW), (in_force(step), INK)]
     if curve is not None and curve.closed and path.gap:
         said.append((f"the contour ends {unit.said(path.gap)} {unit.name} from its start", FAINT))
     return [(line, colour) for words, colour in said for line in wrap(words, _LETTERS)]

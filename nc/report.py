@@ -40,8 +40,9 @@ def _what(path: Path) -> Iterator[str]:
         yield f"holes         {len(path.holes)}"
     if path.cuts:
         length = sum(move.length for move in path.cuts)
+        ends = [at for move in path.cuts for at in (move.start, move.end)]
         yield f"milled        {length / 1000:.3f} in, {path.milling_blocks} blocks"
-        low, high = _extent(path)
+        low, high = (Position(*map(end, zip(*ends, strict=True))) for end in (min, max))
         yield f"extent        {place(low)} to {place(high)}"
         closes = f"{path.gap / 1000:.3f} in from its start" if path.gap else "at its start"
         yield f"milling ends  {place(path.cuts[-1].end)}, {closes}"
@@ -71,12 +72,6 @@ def _times(path: Path) -> Iterator[str]:
             f"reading {contour.reading / 60:.1f}, cutting {contour.milling / 60:.1f}, "
             f"efficiency {contour.efficiency:.0%}"
         )
-
-
-def _extent(path: Path) -> tuple[Position, Position]:
-    """Return the lower left and upper right corner of the milled path."""
-    xs, ys, zs = zip(*(at for move in path.cuts for at in (move.start, move.end)), strict=True)
-    return Position(min(xs), min(ys), min(zs)), Position(max(xs), max(ys), max(zs))
 
 
 def _feeds(path: Path) -> str:
@@ -128,7 +123,11 @@ def _side(inspection: Inspection, end: int, unit: Unit) -> str:
 
 def _verdict(inspection: Inspection, unit: Unit) -> str:
     furthest = inspection.furthest
-    off = f"{unit.signed(furthest.error)} off nominal at most, {furthest.wall} wall, {furthest.place}"
+    sign = 1 if furthest.error > 0 else -1
+    most = sign * max(
+        sign * reading.error for reading in inspection.readings if reading.wall == furthest.wall
+    )
+    off = f"{unit.signed(most)} off nominal at most, {furthest.wall} wall, {furthest.place}"
     if inspection.curve.guessed:
         return f"no verdict, as the nominal is guessed: {off}"
     return (

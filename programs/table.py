@@ -204,6 +204,9 @@ class _Table:
         told = [value[0] for value in self._rows[0].values if value]
         if min(told) >= _LISTED and sum(told) == len(self._rows) - 1:
             raise self._rows[0].error("so many points in two lists: make them one, around the outline")
+        odd = [row for row in self._rows if row.values[0] is None]
+        if len(odd) == 1 < len(self._rows) - 2:  # such as a sum
+            raise odd[0].error(f"{odd[0].text.strip()[:60]!r} is not x and y of a point")
         self._columns = len(self._rows[0].cells)
         self._x = self._unnamed
         self._y, self._turn = self._x + 1, 0.0
@@ -253,12 +256,22 @@ class _Table:
         names = [set[str]()] * (len(header.cells) == self._columns - 1) + header.names
         for xs, ys, polar in ((_X_NAMES, _Y_NAMES, False), (_RADII, _ANGLES, True)):
             x, y = ([at for at, name in enumerate(names) if name & each] for each in (xs, ys))
-            if len(x) == len(y) == 1:
+            if len(x) == len(y) == 1 and max(*x, *y) < self._columns:
                 self._x, self._y = x[0], y[0]
-                unit = next((word for word in names[y[0]] if word in _TURNS), "°")
-                self._turn = _TURNS[unit] if polar else 0
+                self._turn = self._turn_of(names[y[0]]) if polar else 0
                 return
         raise header.error(f"which columns are x and y? {header.text!r}")
+
+    def _turn_of(self, names: set[str]) -> float:
+        """Return how many of the angles are a turn, by their unit or, without one, their size."""
+        angles = [row.values[self._y] for row in self._rows if self._y < len(row.values)]
+        for unit in (*names, *(angle[1] for angle in angles if angle)):
+            if unit in _TURNS:
+                return _TURNS[unit]
+        if any(angle and abs(angle[0]) > _TURNS["rad"] + 1 for angle in angles):
+            return _TURNS["°"]
+        self._notes.append("the angles are taken for radians: none is greater than 2 pi")
+        return _TURNS["rad"]
 
     def points(self, mm: bool) -> Points:
         """Return the points."""

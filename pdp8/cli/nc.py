@@ -106,12 +106,7 @@ def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
 @click.option(
     "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
 )
-@click.option(
-    "--at",
-    callback=lengths("X,Y"),
-    metavar="X,Y",
-    help="Centre of the close view; the current block by default.",
-)
+@lengths("--at", "X,Y", "Centre of the close view; the current block by default.")
 @click.option(
     "--zoom",
     type=Within(1, 1000),
@@ -171,13 +166,7 @@ def plot(
     "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
 )
 @click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
-@option(
-    "--stretch",
-    callback=lengths("FROM,TO"),
-    metavar="FROM,TO",
-    needs="--talysurf",
-    help="Stretch of the curve for the Talysurf, along it.",
-)
+@lengths("--stretch", "FROM,TO", "Stretch of the curve for the Talysurf, along it.", needs="--talysurf")
 @click.pass_context
 def inspect(
     ctx: click.Context,
@@ -256,21 +245,13 @@ _FORMATS = {".dxf": "DXF"} | dict.fromkeys((".ngc", ".nc", ".gcode", ".tap", ".c
 @option(
     "--safe",
     type=Inches(0.001, 5),
-    metavar="INCHES",
     excludes="--as-1971 --dxf",
     help="Height above the stock at which rapids go.  [default: 0.25]",
 )
-@option(
-    "--shift",
-    callback=lengths("X,Y"),
-    metavar="X,Y",
-    excludes="--as-1971",
-    help="Added to the tape's X and Y.",
-)
+@lengths("--shift", "X,Y", "Added to the tape's X and Y.", excludes="--as-1971")
 @option(
     "--tap",
     type=Inches(0.001, 1),
-    metavar="INCHES",
     excludes="--dxf",
     help="Pitch of the tap, for a tape that taps and a floating tap holder; without it taps are refused.",
 )

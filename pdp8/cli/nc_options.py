@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Annotated, Any, get_args
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
 
 import click
 
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from nc.machine import Settings
     from nc.path import Path
     from nc.unit import Unit
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 class Within(click.types.FloatParamType):
@@ -42,19 +44,19 @@ class Within(click.types.FloatParamType):
 class Inches(Within):
     """A length, with its unit or without: in inches, or millimetres with --mm."""
 
+    name = "inches"
+
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
-        if not isinstance(value, str):
-            return super().convert(value, param, ctx)
-        number, unit = value.strip(), "mm" if _is_metric(ctx) else "in"
-        for each in ("in", "mm"):
-            if number.endswith(each):
-                number, unit = number.removesuffix(each), each
-        try:
-            length = float(number)
-        except ValueError:
-            self.fail(f"{value!r} is not a length, such as .005, .005in or 0.127mm", param, ctx)
-        return super().convert(length / _MM if unit == "mm" else length, param, ctx)
+        if isinstance(value, str):
+            unit = value.strip()[-2:]
+            metric = unit == "mm" or (unit != "in" and _is_metric(ctx))
+            try:
+                value = float(value.strip().removesuffix(unit if unit in ("in", "mm") else ""))
+            except ValueError:
+                self.fail(f"{value!r} is not a length, such as .005, .005in or 0.127mm", param, ctx)
+            value = value / _MM if metric else value
+        return super().convert(value, param, ctx)
 
 
 _MM = 25.4
@@ -62,17 +64,6 @@ _MM = 25.4
 
 def _is_metric(ctx: click.Context | None) -> bool:
     return bool(ctx and ctx.params.get("mm"))
-
-
-def lengths(names: str) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return a callback that reads lengths separated by commas, and returns them in inches."""
-    read = numbers(names)
-
-    def inches(ctx: click.Context, param: click.Parameter, value: str | None) -> tuple[float, ...] | None:
-        found = read(ctx, param, value)
-        return tuple(each / _MM for each in found) if found and _is_metric(ctx) else found
-
-    return inches
 
 
 @dataclass(frozen=True)
@@ -98,12 +89,15 @@ class Metric:
 
 
 def numbers(
-    names: str, one_for_all: bool = False
+    names: str, one_for_all: bool = False, inches: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return a callback that reads numbers separated by commas, one for all of them with `one_for_all`."""
+    """Return a callback that reads numbers separated by commas, one for all of them with `one_for_all`.
+
+    With `inches` they are lengths, and returned in inches.
+    """
     count = len(names.split(","))
 
-    def read(_: click.Context, __: click.Parameter, value: str | None) -> tuple[float, ...] | None:
+    def read(ctx: click.Context, _: click.Parameter, value: str | None) -> tuple[float, ...] | None:
         if value is None:
             return None
         try:
@@ -114,9 +108,14 @@ def numbers(
             return given * count
         if len(given) != count or not all(isfinite(number) for number in given):
             raise click.BadParameter(f"{value!r} is not {names}: {count} numbers separated by commas")
-        return given
+        return tuple(number / _MM for number in given) if inches and _is_metric(ctx) else given
 
     return read
+
+
+def lengths(name: str, names: str, meaning: str, **rules: str) -> Callable[[_Function], _Function]:
+    """Return an option of lengths, `names`, separated by commas; they are kept in inches."""
+    return option(name, callback=numbers(names, inches=True), metavar=names, help=meaning, **rules)
 
 
 @dataclass(frozen=True)
@@ -204,32 +203,29 @@ class Named:
 
     circle: Annotated[
         tuple[float, ...] | None,
-        option(
+        lengths(
             "--circle",
-            callback=lengths("X,Y,RADIUS"),
-            metavar="X,Y,RADIUS",
+            "X,Y,RADIUS",
+            "Nominal curve: the path of the cutter's centre, or with --side the part's surface.",
             excludes="--ellipse --line --function --profile",
-            help="Nominal curve: the path of the cutter's centre, or with --side the part's surface.",
         ),
     ]
     ellipse: Annotated[
         tuple[float, ...] | None,
-        option(
+        lengths(
             "--ellipse",
-            callback=lengths("X,Y,A,B"),
-            metavar="X,Y,A,B",
+            "X,Y,A,B",
+            "The same, with semi-axes along X and Y.",
             excludes="--line --function --profile",
-            help="The same, with semi-axes along X and Y.",
         ),
     ]
     line: Annotated[
         tuple[float, ...] | None,
-        option(
+        lengths(
             "--line",
-            callback=lengths("X1,Y1,X2,Y2"),
-            metavar="X1,Y1,X2,Y2",
+            "X1,Y1,X2,Y2",
+            "Path of the cutter's centre, from one place to another.",
             excludes="--function --profile",
-            help="Path of the cutter's centre, from one place to another.",
         ),
     ]
     function: Annotated[
@@ -254,12 +250,11 @@ class Named:
     ]
     origin: Annotated[
         tuple[float, float] | None,
-        option(
+        lengths(
             "--origin",
-            callback=lengths("X,Y"),
-            metavar="X,Y",
+            "X,Y",
+            "Where x and y are 0 on the table.  [default: 4,5 in; the centre of a profile: 4,4 in]",
             needs="--function --profile",
-            help="Where x and y are 0 on the table.  [default: 4,5 in; the centre of a profile: 4,4 in]",
         ),
     ]
     range_: Annotated[
@@ -334,7 +329,6 @@ class Cutter:
         option(
             "--cutter",
             type=Inches(0, 10, above=True),
-            metavar="INCHES",
             help="Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
         ),
     ]
@@ -349,7 +343,6 @@ class Cutting(Cutter):
         option(
             "--tolerance",
             type=Inches(0, 1, above=True),
-            metavar="INCHES",
             help="The most that a wall may be off nominal, either way; half the width of the band.  "
             "[default: that of the nominal curve, or 0.005]",
         ),
@@ -414,7 +407,6 @@ PECK = option(
     "--peck",
     type=Inches(0.001, 5),
     callback=lambda _, __, inches: round(inches * 1000),
-    metavar="INCHES",
     default=0.1,
     show_default=True,
     help="Depth the drill goes between two withdrawals; not in the thesis.",

@@ -91,7 +91,12 @@ def test_an_angle_and_a_radius_are_polar() -> None:
     assert [hypot(*place) for place in found] == pytest.approx([1.5, 2, 1])
     assert found[1] == pytest.approx((0, 2))
     assert read("angle (gon),r [µm]\n100,25400\n200,1\n".encode()).places[0] == pytest.approx((0, 1))
-    assert read(b"theta (rad),r\n1.570796,2\n3.141593,1\n0,1\n").places[0] == pytest.approx((0, 2), abs=1e-6)
+    for name in (b"theta (rad)", b"theta"):
+        polar = name + b",r\n1.570796,2\n3.141593,1\n6.2832,1\n"
+        assert read(polar).places[0] == pytest.approx((0, 2), abs=1e-6)
+        assert ("the angles are taken for radians: none is greater than 2 pi" in read(polar).notes) == (
+            name == b"theta"
+        )
 
 
 @pytest.mark.parametrize(
@@ -112,6 +117,8 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         ("X1;Y1;X2;Y2\n1;2;3;4\n", "line 1: which columns are x and y?"),
         ("x mm,y in\n1,2\n3,4\n", "line 1: 'x mm,y in' has two units of length"),
         ("X;Y\n" + "1,5;0,5\n" * 9 + "1,1m7;0,5\n", "line 11: '1,1m7;0,5' is not x and y of a point"),
+        ("Nr;X;Y\n1;1;0\n2;0;1\n3;-1;0\nSumme;0;1\n", "line 5: 'Summe;0;1' is not x and y of a point"),
+        ('TITLE = "a"\nVARIABLES = "X", "Y"\n1 2\n3 4\n', "line 2: which columns are x and y?"),
         ("NACA\n 12. 12.\n\n" + " 0.5 0.1\n" * 24, "line 2: so many points in two lists"),
         ("%PDF-1.4\n1 2\n", "it is a PDF: export the points as CSV"),
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
