@@ -147,6 +147,7 @@ export class Parts {
     bench.machine.watch.breakpoints.clear(); // they were another program's
     bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
     bench.editor.load();
+    bench.machine.wait(1); // what another program was reading or punching
     bench.machine.teletype.punch.frames.clear();
     bench.teletype.mount(this.name);
     bench.teletype.leverWaits = true; // also where it stood at STOP

@@ -192,7 +192,7 @@ CONTROLS = {
     "#part-options select": Control(of("#part-options select"), f"{PARTS} {DOOR}", "ArrowDown"),
     "#part-options [type=text]": Control(of("#part-options [type=text]"), f"{PARTS} {DOOR}", "7"),
     "#part-options summary": Control(of("#part-options details", "open"), PARTS),
-    "#part .go": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
+    "#part-punch": Control(f"{TTY}.reader.tape.length", f"{PARTS} {TTY}.reader.remove();"),
     "#part-translate": Control(f"{TTY}.reader.position", READY),
     "#part-cut": Control("workbench.mill.name", f"{READY} {PUNCHED}"),
     "#exercise": Control("workbench.exercises.name", EXERCISES, "m"),

@@ -324,12 +324,19 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
 
 
 def test_from_a_radius_to_a_wall(page: Page) -> None:
-    """A small circle is punched, translated and cut by three buttons; typed anew, it is refused."""
+    """A small circle is punched, translated and cut by three buttons, while another program copies
+    what is in the reader.
+
+    Typed anew, it is refused.
+    """
+    copies = "*200\n\tKCC\n\tKSF\n\tJMP .-1\n\tKRB\n\tTLS\n\tJMP 201\n$\n"
+    page.evaluate("(text) => { workbench.editor.put('a.pal', text); workbench.editor.run(); }", copies)
     says = "document.getElementById('part-punched').textContent.includes"
     click(page, "[data-opens=parts]")
     page.locator("[name=radius]").fill("0.25")
-    click(page, "#part .go")
+    click(page, "#part-punch")
     until(page, f"{says}('blocks: circle 2.asc')")
+    until(page, "workbench.machine.teletype.reader.position > 15")
     click(page, "#part-translate")
     until(page, "!document.getElementById('part-cut').disabled")
     click(page, "#part-cut")
@@ -337,7 +344,7 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
     page.evaluate("workbench.tabs.open('parts')")
-    click(page, "#part .go")
+    click(page, "#part-punch")
     until(page, f"{says}('for 1750 thousandths write 1.75')")
 
 
