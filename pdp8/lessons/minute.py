@@ -143,7 +143,7 @@ class Minute:
             says = f"Memory has 4096 words. Yours begin at number {place}."
         if look.at == len(PROGRAM):
             says = f"All five words are in. They begin at {place}."
-        return self._flip(says, look.place)
+        return self._flip(says, look.place, look.sr)
 
     def _put(self, look: Look) -> Step:
         """Return the step that deposits the next word or starts the program."""
@@ -151,13 +151,15 @@ class Minute:
             return Step("Five words: you have programmed a computer by hand. Press START.", "start")
         word, says = PROGRAM[look.at]
         if look.sr != word:
-            return self._flip(f"Word {look.at + 1} of 5, {word:04o}, says “{says}”.", word)
+            return self._flip(f"Word {look.at + 1} of 5, {word:04o}, says “{says}”.", word, look.sr)
         put = f"Press DEP: that is put into memory, at {look.place:04o}."
         return Step(f"The switches say {word:04o}. {put}", "dep")
 
-    def _flip(self, says: str, wanted: int) -> Step:
+    def _flip(self, says: str, wanted: int, sr: int) -> Step:
         how = f", or type {wanted:04o}" if self.typed else ""
-        return Step(f"{says} Flip the ringed switches{how}.", "", wanted)
+        different = wanted ^ sr
+        ringed = "switches" if different & different - 1 else "switch"
+        return Step(f"{says} Flip the ringed {ringed}{how}.", "", wanted)
 
 
 def _done(key: str, before: Look, after: Look) -> str:
@@ -188,7 +190,9 @@ def _done(key: str, before: Look, after: Look) -> str:
 
 
 def _word(word: int, place: int) -> str:
-    """Return a word as an assembler has it."""
+    """Return a word as an assembler has it; 0000, which most of memory holds at first, as nothing else."""
+    if not word:
+        return "0000"
     return of_word(word, place)[0].split(":")[0].replace("  ", " ")[:30]
 
 

@@ -26,7 +26,7 @@ def _let(machine: Machine, seconds: float) -> None:
 
 def _do(machine: Machine, minute: Minute, step: Step) -> None:
     """Do what the sentence says: the step's own fields have to say the same."""
-    if wanted := re.search(r"Flip the ringed switches, or type (\d{4})", step.say):
+    if wanted := re.search(r"Flip the ringed switch(?:es)?, or type (\d{4})", step.say):
         assert step.switches == int(wanted[1], 8)
         machine.panel.sr = step.switches
         return
@@ -104,7 +104,7 @@ def test_what_a_key_did() -> None:
         "It had stopped already: STOP did nothing.",
         "MEMORY ADDRESS says 0200, MEMORY BUFFER the word there: 7300 CLA CLL.",
         "0200 held 7300; now it holds 6031 KSF.",
-        "In 0201 is 0000 AND 0000. The next EXAM shows 0202.",
+        "In 0201 is 0000. The next EXAM shows 0202.",
         "MEMORY ADDRESS says 0200, MEMORY BUFFER the word there: 6031 KSF.",
         "It began at 0200, and runs.",
         "It runs, and did not hear DEP.",

@@ -48,7 +48,7 @@ def _words(page: Page) -> str:
 
 
 def _by_mouse(page: Page, said: str) -> None:
-    if "Flip the ringed switches" in said:
+    if "Flip the ringed switch" in said:
         ringed = page.locator("#room .rocker[aria-current]")
         for bit in ringed.evaluate_all("(all) => all.map((each) => each.value)"):
             page.locator(f'#room .rocker[value="{bit}"]').click()
