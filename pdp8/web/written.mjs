@@ -28,7 +28,7 @@ export function inches(/** @type {number} */ thousandths) {
 
 /** 170888757 as 170 888 757. */
 export function grouped(/** @type {number} */ number) {
-  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+  return String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
 /** Ticks as seconds, every tick of 0.05 µs to be seen: 473.799 997 75 s. */

@@ -124,7 +124,7 @@ export const cases = {
     const mill = new Mill(await desk({ record: { cutter: 500 }, tabs: { open: nothing } }));
     find("mill").hidden = false;
     mill.lay("a.eia", frames, path);
-    const head = () => find("mill-reader").querySelector(".name").textContent.replaceAll("\u2009", "").split(" ")[1];
+    const head = () => find("mill-reader").querySelector(".name").textContent.replaceAll("\u202f", "").split(" ")[1];
     const seen = [-1e9, 1, path.times.total * 2e7].map((ticks) => (mill.follow(ticks), [Number(head()) > 3, find("whole-label").textContent.includes(`block ${path.steps.length} of`)]));
     mill.follow(-1);
     seen.push(head(), find("whole-label").textContent.startsWith("waits for its tape"), find("refusal").textContent);

@@ -115,7 +115,7 @@ export const cases = {
       return made.texts()[1].replace(" times as fast", "");
     });
     const own = "at the pace of 1971";
-    return [said, [own, own, "2", "10", "30", "40", "50", "1\u2009240"]];
+    return [said, [own, own, "2", "10", "30", "40", "50", "1\u202f240"]];
   },
   "what is lit is what the act is about": async () => {
     const made = await drawn();

@@ -90,12 +90,12 @@ def test_any_instant_is_that_of_the_machine(page: Page, circle: Afternoon) -> No
 def test_the_tapes_are_those_on_the_desk(page: Page, circle: Afternoon) -> None:
     """The frame under each head is named, and a block's fields."""
     _go(page, circle.acts[4].ends - 1)
-    assert "13\u2009321 frames" in page.locator("#punch .name").inner_text()
+    assert "13\u202f321 frames" in page.locator("#punch .name").inner_text()
     named = page.locator("#reader canvas").get_attribute("aria-label")
     assert named == "the reader's tape, under the head: 377 RUBOUT"
     _go(page, circle.mill_starts + round(1.95 * TICKS_PER_SECOND))
     named = page.locator("#mill-reader canvas").get_attribute("aria-label")
-    assert named == "circle.eia, frame 20 of 13\u2009321: 200 EOB"
+    assert named == "circle.eia, frame 20 of 13\u202f321: 200 EOB"
     names, digits = (
         page.locator(f"#mill-block p > span {each}").all_inner_texts() for each in ("small", "b")
     )

@@ -397,7 +397,7 @@ _STATE = {"format": "pdp8 state", "version": 2}
         ({"machine": _STATE, "until": "9"}, "until: 9 instructions; 0 to"),
         ({"machine": {"$tape": ["no.bin", 0, 9]}}, "cannot be opened"),
         ({"exercise": "nothing"}, "there is no exercise nothing"),
-        ({"program": {"name": "a.pal", "text": "A" * 1_000_000}}, "of 1\u2009000\u2009000 characters"),
+        ({"program": {"name": "a.pal", "text": "A" * 1_000_000}}, "of 1\u202f000\u202f000 characters"),
         ({"program": {"name": "a.pal", "text": "\tCLA!\n" * 14_000}}, "The machine is stopped."),
     ],
 )
