@@ -189,6 +189,7 @@ export class Bench {
 
   say(/** @type {string} */ words) {
     this.why = words;
+    if (words && this.afternoon.on) this.tell(words, true);
     this.show();
   }
 

@@ -94,6 +94,8 @@ export class Editor {
 
   create() {
     this.put("program.pal", NEW);
+    this.enter();
+    this.area.setSelectionRange(0, NEW.length); // what is typed replaces it
   }
 
   #turn(/** @type {string} */ name) {
@@ -115,7 +117,7 @@ export class Editor {
     keep(OPEN, name);
     const options = (/** @type {string[]} */ names) => names.map((each) => html`<option>${each}</option>`);
     const bundled = this.bench.shelf.names().filter((each) => each.endsWith(".pal"));
-    put(find("sources"), html`<option value="">Open a program …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
+    put(find("sources"), html`<option value="">Open …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
       <optgroup label="Bundled">${options(bundled)}</optgroup>`);
   }
 

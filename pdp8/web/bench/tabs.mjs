@@ -36,9 +36,11 @@ export class Tabs {
   }
 
   open(/** @type {string} */ opened) {
-    if (this.list.parentElement.hidden) return;
+    const { bench, list } = this;
+    if (list.parentElement.hidden) return;
     this.#show(opened);
-    this.bench.show();
+    bench.show();
+    if (!bench.afternoon.on && list.getBoundingClientRect().top < 0) list.scrollIntoView();
   }
 
   #show(/** @type {string} */ opened) {

@@ -26,7 +26,8 @@ export class Time {
       const control = keyed(find("time"), event);
       const own = event.target?.matches(TYPED_INTO) || (event.key === " " && event.target?.matches("button"));
       const action = control ? () => control.click() : /** @type {Record<string, () => void>} */ (keys)[event.key];
-      if (!action || own || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+      const away = /Home|End/.test(event.key) && !bench.afternoon.on; // from the visitor's own machine
+      if (!action || own || away || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       action();
     });
@@ -145,7 +146,7 @@ export class Time {
 
   write() {
     const { bench, bench: { afternoon, clock, machine, writer } } = this;
-    writer.text(find("kept"), (afternoon.on ? afternoon.playing : machine.processor.run) ? clock.kept : "");
+    writer.text(find("kept"), (afternoon.on ? afternoon.playing : machine.processor.run && !machine.waiting.endless) ? clock.kept : "");
     if (afternoon.on) return;
     const [said, controls] = next(bench);
     const buttons = controls.map(([label, selector]) => html`<button class="text" data-click="time.use" data-for="${selector}">${label}</button>`);

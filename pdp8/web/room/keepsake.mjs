@@ -28,7 +28,7 @@ export function keepsake(/** @type {Bytes} */ frames, /** @type {any} */ made) {
     c.drawImage(strip, 0, 0);
     c.restore();
     rows.forEach((frame, row) => label(c, sign(frame, ASCII), left + (END + row * PITCH) * scale, top + scale * 1.04 + 40, Math.min(34, scale * 0.12), "#ffcf87"));
-    label(c, "Punched by a PDP-8/L, a computer of 1968, emulated to the cycle,", W / 2, H - 64, 26);
-    label(c, "with a program of five words that I put in by its switches", W / 2, H - 28, 26);
+    label(c, "Punched by a PDP-8/L, a computer of 1968, emulated to the cycle,", W / 2, H - 74, 36);
+    label(c, "with a program of five words that I put in by its switches", W / 2, H - 28, 36);
   });
 }

@@ -72,6 +72,7 @@ export class Room {
     this.said = 0; // seconds since something was written
     this.typed = 0;
     document.addEventListener("keydown", (event) => this.#key(event));
+    this.place.querySelector("canvas").addEventListener("click", () => this.typing && find("mine").focus());
     new ResizeObserver(() => this.#resize()).observe(this.place);
     new ResizeObserver(() => this.#measure()).observe(this.place.querySelector(".told"));
     document.addEventListener("visibilitychange", () => this.#wake());
