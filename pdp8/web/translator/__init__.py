@@ -5,11 +5,13 @@
                                                                             runtime.mjs ───┘
 
 types        the types of expressions
-assigned     which names have a value
-library.pyi  what may be used of Python's own: functions, methods, their parameters
 program      all modules: what each defines and imports, and where a name leads
+library.pyi  what may be used of Python's own: functions, methods, their parameters
+operators    for each operator: what it gives, and when JavaScript's own does it
 inference    the type of each expression: from annotations, and from what is assigned
-expressions  operators, calls, f-strings, comprehensions
+expressions  names, operators, comparisons, f-strings, comprehensions
+calls        calls, and the functions of Python that are written in a way of their own
+assigned     which names have a value
 statements   assignments, loops, try
 modules      imports, classes, functions
 declarations what the modules declare, as TypeScript reads it
@@ -88,7 +90,7 @@ TRUSTED = {
     "pdp8.computer.hardware.panel": "shares",
     "pdp8.computer.speed.waiting": "Left",
     "pdp8.computer.dectape.tc08": "TC08.__init__",
-    "pdp8.computer.past.state": "save _written restore _parsed _check_device _fields _read _number _octal"
+    "pdp8.computer.past.state": "save _written restore _parsed _check_device _fields _number _octal"
     " _frames _short",
     "pdp8.computer.past.rewind": "_check",
     "pdp8.computer.use.operator": "Operator",

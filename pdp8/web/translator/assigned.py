@@ -5,7 +5,9 @@ have none is refused: one that is set only in a branch, or in a loop that may no
 """
 
 import ast
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+
+from pdp8.web.translator.expressions import Expressions
 
 _Names = frozenset[str] | None
 """The names that have a value; None where nothing comes."""
@@ -14,17 +16,9 @@ _Names = frozenset[str] | None
 class Assigned:
     """Goes through a function's statements; `known` are its parameters, `local` all names that it sets."""
 
-    def __init__(
-        self,
-        local: Iterable[str],
-        refuse: Callable[[ast.AST, str], object],
-        constant: Callable[[ast.expr], ast.AST],
-        ends: Callable[[ast.expr], bool],
-    ) -> None:
+    def __init__(self, local: Iterable[str], expressions: Expressions) -> None:
         self._local = frozenset(local)
-        self._refuse = refuse
-        self._constant = constant
-        self._ends = ends
+        self._expressions = expressions
         self._breaks: list[list[frozenset[str]]] = []
 
     def after(self, body: list[ast.stmt], known: _Names) -> _Names:
@@ -47,7 +41,9 @@ class Assigned:
             case ast.For(target, source, body):
                 known = self._read(source, known)
                 inside = known | _set_in(target)
-                return self._loop(body, inside, inside if _runs(self._constant(source)) else known)
+                return self._loop(
+                    body, inside, inside if _runs(self._expressions.constant(source)) else known
+                )
             case ast.Try(body, handlers, _, last):
                 found = self.after(body, known)
                 for handler in handlers:
@@ -72,7 +68,7 @@ class Assigned:
                 if isinstance(target, ast.Name):
                     self._read(ast.Name(target.id, ast.Load(), lineno=node.lineno), known)
                 return self._read(value, self._read(target, known))
-            case ast.Expr(ast.Call() as call) if self._ends(call):
+            case ast.Expr(ast.Call() as call) if self._expressions.never(call):
                 self._read(node, known)
                 return None
         return self._read(node, known) | _set_in(node)
@@ -97,7 +93,7 @@ class Assigned:
         """Refuse a name that may have no value; return what is known behind the expression."""
         match node:
             case ast.Name(name, ast.Load()) if name in self._local - known:
-                self._refuse(node, "it may have no value here")
+                self._expressions.fail(node, "it may have no value here")
             case ast.Name() | ast.FunctionDef() | ast.Lambda() | ast.ClassDef():
                 pass
             case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():

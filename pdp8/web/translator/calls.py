@@ -7,7 +7,7 @@ marked in library.pyi: `Ordered[...]`, `Literal[...]`.
 
 import ast
 
-from pdp8.web.translator.expressions import MOST, Expressions, member, named
+from pdp8.web.translator.expressions import MOST, Expressions, member
 from pdp8.web.translator.program import Found, Parameter
 from pdp8.web.translator.types import (
     BOOL,
@@ -48,9 +48,9 @@ class Calls(Expressions):
         """Return a call."""
         function, name = node.func, leaf(node.func)
         match node:
-            case ast.Call(ast.Attribute(of, "_replace"), [], [_, *_]) | ast.Call(
-                ast.Name("replace"), [of], [_, *_]
-            ):
+            case ast.Call(ast.Attribute(of, "_replace"), [], [_, *_]):
+                return self._replaced(node, of)
+            case ast.Call(ast.Name("replace"), [of], [_, *_]):
                 return self._replaced(node, of)
             case ast.Call(ast.Name()) if name not in self.scope and (text := self._built_in(node, name)):
                 return text
@@ -113,7 +113,7 @@ class Calls(Expressions):
                 return self._library(node, found, "total")
             case "len", [value]:
                 self.known(value)
-                if self.bound(found, node.args, []) is None:
+                if self.bound(found, node) is None:
                     self.refuse(node, f"the length of {kinds[0]}")
                 is_array = self.parts(kinds[0]) is None or kinds[0].name == "tuple"
                 return f"{self.e(value)}.length" if is_array else f"$.len({self.e(value)})"
@@ -131,14 +131,10 @@ class Calls(Expressions):
                 put = f"if ({no}{{}}) return {decides};"
                 loops = self.comprehended(generators, value, put, test=True, ordered=False)
                 return f"(() => {{ {loops} return {else_}; }})()"
-            case "next", [ast.GeneratorExp(value, generators), *rest] if all(
-                isinstance(each, ast.Constant | ast.Name) for each in rest
-            ):
+            case "next", [ast.GeneratorExp(value, generators), *rest] if all(map(_is_simple, rest)):
                 after = f"return {self.e(rest[0])};" if rest else "throw new $.StopIteration();"
                 return f"(() => {{ {self.comprehended(generators, value, 'return {};')} {after} }})()"
-            case "chr", [value] if (code := whole(value)) is not None and (
-                code > 0xFFFF or 0xD800 <= code < 0xE000
-            ):
+            case "chr", [value] if (code := whole(value) or 0) > 0xFFFF or 0xD800 <= code < 0xE000:
                 self.fail(node, "a character beyond U+FFFF has another length in JavaScript")
             case "zip", _ if node.keywords:
                 [strict] = node.keywords
@@ -206,7 +202,7 @@ class Calls(Expressions):
         for kind in either(receiver) if receiver else (None,):
             method = (kind and self.of_class(kind.name, name)[1]) or found
             form = self._form(node, method, kind)
-            for value, parameter in self.paired(form, node.args, node.keywords) or []:
+            for value, parameter in self.paired(form, node) or []:
                 self._marked(node, value, parameter, kind)
         if any(isinstance(each, ast.Starred) for each in node.args):
             self.refuse(node, f"unpacked arguments of {name}", "each by itself")
@@ -223,7 +219,7 @@ class Calls(Expressions):
         """Return the form of a function that takes these arguments."""
         forms = self.program.variants(of)
         for form in forms:
-            if self.bound(form, node.args, node.keywords, receiver) is not None:
+            if self.bound(form, node, receiver) is not None:
                 return form
         given = ", ".join(str(self.infer(each)) for each in node.args)
         name = leaf(node.func)
@@ -281,11 +277,8 @@ class Calls(Expressions):
             if starred and starred[0] < len(places):
                 self.fail(node, "an unpacked argument before others")
             missing = len(places) - len(values)
-            values = [
-                *values[: len(places)],
-                *["undefined"] * missing,
-                f"[{', '.join(values[len(places) :])}]",
-            ]
+            rest_of_all = ", ".join(values[len(places) :])
+            values = [*values[: len(places)], *["undefined"] * missing, f"[{rest_of_all}]"]
             names.append("*")
         elif parameters is not None and "*" not in rest and len(values) > len(places):
             self.fail(node, "too many arguments")
@@ -302,28 +295,23 @@ class Calls(Expressions):
         if given.keys() - set(names):
             self.fail(node, "keywords that are no parameters")
         order = [names.index(each) for each in given if each]
-        calling = [
-            each for each in given.values() if any(isinstance(part, ast.Call) for part in ast.walk(each))
-        ]
-        if order != sorted(order) and len(calling) > 1:
+        calling = sum(any(isinstance(part, ast.Call) for part in ast.walk(each)) for each in given.values())
+        if order != sorted(order) and calling > 1:
             self.fail(node, "keywords in another order than the parameters", "them in that order")
         by_name = names[len(values) : max(order, default=-1) + 1]
-        values += (self._argument(given[name]) if name in given else "undefined" for name in by_name)
+        values += (self.e(given[name]) if name in given else "undefined" for name in by_name)
         return ", ".join(values)
 
-    def _argument(self, node: ast.expr, at_once: str = "") -> str:
-        """Return an argument: a class as a function; a generator as a list for what takes it `at_once`."""
+    def _argument(self, node: ast.expr, at_once: str) -> str:
+        """Return an argument: a generator as a list, for what takes it `at_once`."""
         if at_once and isinstance(node, ast.GeneratorExp):
             return self.listed(node.generators, node.elt, at_once not in _UNORDERED)
-        found = self.found(node) if isinstance(node, ast.Name) else None
-        if found and found.is_class and found.ours and not found.is_enum and node in self.lambdas:
-            return f"((...$a) => new {named(leaf(node))}(...$a))"
         return self.e(node)
 
     def _typed(self, node: ast.Call, found: Found) -> None:
         """Refuse too many arguments or too few, and values of other types than a record's fields have."""
         forms = self.program.variants(found) if found.is_function else [found]
-        pairs = [self.paired(each, node.args, node.keywords) for each in forms]
+        pairs = [self.paired(each, node) for each in forms]
         fitting = next((each for each in pairs if each is not None), None)
         if fitting is None and not any(isinstance(each, ast.Starred) for each in node.args):
             parameters = [each for form in forms for each in self.program.signature(form) or []]
@@ -334,6 +322,10 @@ class Calls(Expressions):
         if found.is_class and found.fields is not None:
             for value, field in fitting or []:
                 self.accept(value, self.annotated(field.annotation, field.module))
+
+
+def _is_simple(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant | ast.Name)
 
 
 def one_or_several(texts: list[str]) -> str:

@@ -7,12 +7,12 @@ value.
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from pdp8.web.translator.expressions import member, named
 from pdp8.web.translator.inference import Types
 from pdp8.web.translator.modules import library
-from pdp8.web.translator.program import PROPERTIES, Found, Module, Program, targets
+from pdp8.web.translator.program import Found, Module, Program, targets
 from pdp8.web.translator.types import Type, leaf
 
 _NAMES = {
@@ -85,7 +85,7 @@ class Declarations(Types):
                 lines.append(f"export class {node.name} extends {leaf(node.bases[0])} {{}}")
             elif isinstance(node, ast.ClassDef) and (head := _CLASSES.get(node.name)):
                 self.own = set(re.findall(r"\b[A-Z]\b", head))
-                body = self._body(node, _ELSEWHERE.get(node.name, ()))
+                body = self._methods(Found(self.module, node), _ELSEWHERE.get(node.name, ()))
                 close = "} }" if head.startswith("declare") else "}"
                 lines.append("\n".join([f"{head} {{", *body, _ALSO.get(node.name, ""), close]))
         self.own = set()
@@ -133,34 +133,30 @@ class Declarations(Types):
                 yield attribute
                 if name in static:
                     yield f"static {attribute}"
-        yield from self._body(node, self.module.omitted)
+        yield from self._methods(of, self.module.omitted)
         yield "}"
         self.owner = ""
 
-    def _body(self, node: ast.ClassDef, omitted: tuple[str, ...] | frozenset[str]) -> list[str]:
-        """Return the methods of a class, overloaded ones in each of their forms."""
-        methods: dict[str, list[ast.FunctionDef]] = {}
-        for part in node.body:
-            if isinstance(part, ast.FunctionDef) and part.name not in omitted:
-                methods.setdefault(part.name, []).append(part)
-        return [line for name, forms in methods.items() for line in self._methods(name, forms)]
-
-    def _methods(self, name: str, forms: list[ast.FunctionDef]) -> Iterator[str]:
-        marks = [{*map(leaf, each.decorator_list)} for each in forms]
-        returned = self.written(self.annotated(forms[0].returns))
-        if name == "__init__":
-            yield f"constructor{self._signature(forms[-1]).rpartition(':')[0]};"
-        elif name in _JAVASCRIPT:
-            yield f"{_JAVASCRIPT[name]}: {returned};"
-        elif marks[0] & PROPERTIES:
-            yield f"{'' if len(forms) > 1 else 'readonly '}{member(name)}: {returned};"
-        elif name[0] != "_" or name in ("__getitem__", "__setitem__"):
-            overloaded = [each for each, mark in zip(forms, marks, strict=True) if "overload" in mark]
-            for each in overloaded or forms:
-                signature = f"{member(name)}{self._signature(each)};"
-                yield signature
-                if "staticmethod" in marks[0]:
-                    yield f"static {signature}"
+    def _methods(self, of: Found, omitted: Iterable[str]) -> Iterator[str]:
+        """Yield the methods of a class, overloaded ones in each of their forms."""
+        for name, node in of.declared.items():
+            if not isinstance(node, ast.FunctionDef) or name in omitted:
+                continue
+            method = of._replace(node=node)
+            forms = self.program.variants(method)
+            returned = self.written(self.annotated(node.returns))
+            if name == "__init__":
+                yield f"constructor{self._signature(forms[-1].node).rpartition(':')[0]};"
+            elif name in _JAVASCRIPT:
+                yield f"{_JAVASCRIPT[name]}: {returned};"
+            elif method.is_property:
+                yield f"{'readonly ' if method in forms else ''}{member(name)}: {returned};"
+            elif name[0] != "_" or name in ("__getitem__", "__setitem__"):
+                for form in forms:
+                    signature = f"{member(name)}{self._signature(form.node)};"
+                    yield signature
+                    if method.is_static:
+                        yield f"static {signature}"
 
     def _signature(self, node: ast.FunctionDef) -> str:
         kinds = self.parameters(node)

@@ -14,7 +14,7 @@ from collections.abc import Iterable
 from typing import NoReturn
 
 from pdp8.web.translator.inference import Types
-from pdp8.web.translator.operators import OPERATORS, Operator, is_direct
+from pdp8.web.translator.operators import OPERATORS, Operand, Operator, is_direct
 from pdp8.web.translator.program import Found, Untranslated
 from pdp8.web.translator.types import (
     ANY,
@@ -179,7 +179,7 @@ class Expressions(Types):
             case ast.Constant(bool() | str() | float() as value):
                 return json.dumps(value)
             case ast.BinOp(left, operator, right):
-                return self.binary(node, operator, (self.e(left), left), (self.e(right), right))
+                return self.binary(node, operator, self.operand(left), self.operand(right))
             case ast.UnaryOp(ast.Not()):
                 return self.test(node)
             case ast.UnaryOp(operator, value):
@@ -293,65 +293,57 @@ class Expressions(Types):
             return f"(-1 - {text})" if inverted else f"(0 - {text})"
         return f"$.{'invert' if inverted else 'neg'}({text})"
 
-    def _operand(self, node: ast.expr) -> Type:
-        """Return the type of an operand, INT if it may be a truth or a whole number."""
-        kind = self.plain(self.infer(node))
+    def operand(self, node: ast.expr) -> Operand:
+        """Return an operand: it is not None; what may be a truth or a whole number is an INT."""
+        text, kind = self.e(node), self.plain(self.infer(node))
         if NONE in either(kind):
             self.refuse(node, "it may be None", "a test that it is not")
         if kind.name == "|" and all(each in (*NUMBERS, BOOL) for each in kind.of):
             kind = join(*(INT if each == BOOL else each for each in kind.of))
-        return without_none(kind)
+        return Operand(text, without_none(kind), whole(node))
 
-    def binary(
-        self, node: ast.AST, operator: ast.operator, left: tuple[str, ast.expr], right: tuple[str, ast.expr]
-    ) -> str:
-        """Return `left operator right`, each as it is written and as it was."""
-        (a, one), (b, other) = left, right
+    def binary(self, node: ast.AST, operator: ast.operator, left: Operand, right: Operand) -> str:
+        """Return `left operator right`."""
         if type(operator) not in OPERATORS:
             self.fail(node, "no such operator")
-        made = OPERATORS[type(operator)]
-        kinds, numbers = (self._operand(one), self._operand(other)), (whole(one), whole(other))
-        if set(kinds) <= {*NUMBERS, BOOL}:
+        made, kinds = OPERATORS[type(operator)], {left.kind, right.kind}
+        if kinds <= {*NUMBERS, BOOL}:
             checked = self.checked or BOOL in kinds
-            if checked and not {FLOAT, REAL}.isdisjoint(kinds):
-                return self._of_floats(node, made, kinds, numbers, (a, b))
-            negative = (numbers[1] or 0) < 0
-            if checked and isinstance(operator, ast.Pow) and kinds[1] != WORD and not negative:
+            if checked and kinds & {*FLOATS}:
+                return self._of_floats(node, made, left, right)
+            if (
+                checked
+                and isinstance(operator, ast.Pow)
+                and right.kind != WORD
+                and not (right.number or 0) < 0
+            ):
                 why = "a power whose exponent may be negative is an int or a float"
                 self.fail(node, why, "a float, or x ** 2")
-            if is_direct(operator, kinds, numbers, checked):
-                return made.direct.format(a, b)
-            return f"$.{made.exact if checked else made.runtime}({a}, {b})"
-        if kinds == (STR, STR) and isinstance(operator, ast.Add):
-            return made.direct.format(a, b)
-        if not self._operable(operator, *kinds):
-            why = f"{kinds[0]} and {kinds[1]} with this operator"
+            if is_direct(operator, left, right, checked):
+                return made.direct.format(left.text, right.text)
+            return f"$.{made.exact if checked else made.runtime}({left.text}, {right.text})"
+        if kinds == {STR} and isinstance(operator, ast.Add):
+            return made.direct.format(left.text, right.text)
+        if not self._operable(operator, left.kind, right.kind):
+            why = f"{left.kind} and {right.kind} with this operator"
             self.refuse(node, why, "it another way, or an annotation")
-        return f"$.{made.runtime}({a}, {b})"
+        return f"$.{made.runtime}({left.text}, {right.text})"
 
-    def _of_floats(
-        self,
-        node: ast.AST,
-        made: Operator,
-        kinds: tuple[Type, Type],
-        numbers: tuple[int | None, int | None],
-        texts: tuple[str, str],
-    ) -> str:
+    def _of_floats(self, node: ast.AST, made: Operator, left: Operand, right: Operand) -> str:
         """Return an operation on a float and another number, which becomes one if it may be a BigInt."""
-        a, b = texts
         if made.exact in ("plus", "minus", "times"):
-            a, b = (
-                f"Number({text})" if kind in (INT, BOOL) and value is None else text
-                for text, kind, value in zip(texts, kinds, numbers, strict=True)
-            )
-            return made.direct.format(a, b)
+            return made.direct.format(*map(self._as_float, (left, right)))
         if not made.floats:
             self.fail(node, "an operator of whole numbers on a float")
-        if made.exact == "power" and kinds[1] not in WHOLE:
+        if made.exact == "power" and right.kind not in WHOLE:
             self.refuse(node, "a power that may be a complex number", "math.pow(...)")
-        if made.exact == "div" and numbers[1]:
-            return made.direct.format(f"Number({a})" if kinds[0] == INT else a, b)
-        return f"$.{made.floats}({a}, {b})"
+        if made.exact == "div" and right.number:
+            return made.direct.format(f"Number({left.text})" if left.kind == INT else left.text, right.text)
+        return f"$.{made.floats}({left.text}, {right.text})"
+
+    @staticmethod
+    def _as_float(of: Operand) -> str:
+        return f"Number({of.text})" if of.kind in (INT, BOOL) and of.number is None else of.text
 
     def _operable(self, operator: ast.operator, one: Type, other: Type) -> bool:
         """Whether the runtime does the operator on these types as Python does."""
@@ -376,10 +368,7 @@ class Expressions(Types):
                 return True
             case ast.BitOr() | ast.BitAnd() | ast.Sub() if names <= {"set", "view"}:
                 return True
-        if one.name == "Fraction":
-            return of_numbers and (other in WHOLE or other.name == "Fraction")
-        method = OPERATORS[type(operator)].method
-        return bool(method and self.ours(one) and self.of_class(one.name, method)[1])
+        return of_numbers and one.name == "Fraction" and (other in WHOLE or other.name == "Fraction")
 
     def _choice(self, both: bool, values: list[ast.expr]) -> str:
         """Return `and` or `or` as a value: the operand that decides."""
@@ -499,9 +488,7 @@ class Expressions(Types):
             elif each.name in ("str", "bytes"):
                 if kind == ANY or (each == STR and self.plain(kind) != STR):
                     self.refuse(node, f"{kind} in {each}")
-            elif each == ANY or not (
-                each.name == "collection" or self.fits(each, Type("collection", (ANY,)))
-            ):
+            elif each == ANY or not self.fits(each, Type("collection", (ANY,))):
                 self.refuse(node, f"something in {each}", "an annotation")
             else:
                 self.comparable(node, kind, self.item(each))

@@ -10,7 +10,7 @@ from collections import ChainMap
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
-from pdp8.web.translator.operators import OPERATORS, arithmetic
+from pdp8.web.translator.operators import arithmetic
 from pdp8.web.translator.program import Found, Module, Parameter, Program, own, set_in
 from pdp8.web.translator.types import (
     ANY,
@@ -54,11 +54,11 @@ _GENERIC = {
 _MARKS = (
     "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "Keys", "JSON", "Character", "Base",
 )  # fmt: skip
-"""Annotations whose type is that of what they are of; library.pyi says what else they ask for."""
-_TABLE = {"word": "int", "real": "float", "row": "tuple"}
-"""Where library.pyi has the methods of a type that it has no class of that name for."""
+"""Annotations that have the type of what is in their brackets."""
+_TABLE = {"word": "int", "real": "float", "row": "tuple", "sequence": "tuple"}
+"""The class of library.pyi that has the methods of a type, if it has another name."""
 _OPEN = {"list": Type("list", (ANY,)), "dict": Type("dict", (STR, ANY)), "tuple": Type("row", (ANY,))}
-"""What an instance of a class is of which nothing else is known."""
+"""The types of instances of which nothing is known but their class."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler | ast.Expr
 _SEQUENCES = ("sequence", "list", "tuple", "row", "bytes", "bytearray", "words", "range", "str")
 _ITERABLES = (*_SEQUENCES, "iterable", "iterator", "view", "dict")
@@ -336,6 +336,10 @@ class Types:
         found = self.found(node)
         return found.node if found and isinstance(found.node, ast.expr) else node
 
+    def never(self, node: ast.expr) -> bool:
+        """Whether nothing comes after a call."""
+        return self.infer(node).name == "never"
+
     def infer(self, node: ast.AST) -> Type:
         """Return the type of an expression."""
         if isinstance(node, ast.Constant):
@@ -399,8 +403,6 @@ class Types:
         return ANY
 
     def _operated(self, operator: ast.operator, one: Type, other: Type) -> Type:
-        if self.ours(one) and (method := OPERATORS[type(operator)].method):
-            return self.of_class(one.name, method)[0]
         if one.name == "dict" and other.name == "dict":
             return made("dict", *map(join, one.of, other.of))
         if one.name == "view" and other.name in ("set", "view"):
@@ -433,7 +435,7 @@ class Types:
         of = self.ours(kind)
         if of and not of.is_tuple:
             method = self.of_class(kind.name, "__getitem__")[1]
-            return self._returned(method, [index], kind) if method else ANY
+            return self._returned(method, ast.Call(index, [index], []), kind) if method else ANY
         if isinstance(index, ast.Slice):
             if kind.name == "tuple":
                 at = [whole(each) if each else None for each in (index.lower, index.upper)]
@@ -530,7 +532,7 @@ class Types:
         """Return the type of what a call returns."""
         found, name = self.found(node.func), leaf(node.func)
         if found and found.is_class and (found.ours or not self.program.variants(found)):
-            for value, parameter in self.paired(found, node.args, node.keywords) or []:
+            for value, parameter in self.paired(found, node) or []:
                 self.expect(value, self.annotated(parameter.annotation, parameter.module))
             return found.kind
         if found and (found.is_function or found.is_class):
@@ -539,15 +541,13 @@ class Types:
                 receiver = without_none(self.infer(node.func.value))
             if receiver and receiver.name == "|":
                 methods = [(each, self.of_class(each.name, name)[1]) for each in receiver.of]
-                return join(*(self._returned(of, node.args, one, node.keywords) for one, of in methods if of))
-            return self._returned(found, node.args, receiver, node.keywords)
+                return join(*(self._returned(of, node, one) for one, of in methods if of))
+            return self._returned(found, node, receiver)
         match node:
             case ast.Call(ast.Attribute(of, "_replace")) | ast.Call(ast.Name("replace"), [of, *_]):
                 return self.infer(of)
             case ast.Call(ast.Name("isinstance")):
                 return BOOL
-            case ast.Call(ast.Name("getattr"), [of, ast.Constant(str(attribute))]):
-                return self.infer(ast.Attribute(of, attribute, ast.Load()))
         kind = without_none(self.infer(node.func))
         return kind.of[0] if kind.name == "call" else ANY
 
@@ -564,31 +564,23 @@ class Types:
                 for each in items:
                     self.expect(each, wanted.of[0])
 
-    def _returned(
-        self,
-        found: Found,
-        args: list[ast.expr],
-        receiver: Type | None = None,
-        keywords: list[ast.keyword] | None = None,
-    ) -> Type:
+    def _returned(self, found: Found, call: ast.Call, receiver: Type | None = None) -> Type:
         """Return what a function of ours or of the table returns, of the first form that fits."""
-        match args:
+        match call.args:
             case [ast.Constant(str(pattern))] if found.node.name == "compile" and not found.ours:
                 groups = re.compile(pattern).groups
                 return Type("Pattern", (STR if groups < 2 else Type("tuple", (STR,) * groups),))
         variants = self.program.variants(found)
         for variant in variants:
-            bound = self.bound(variant, args, keywords or [], receiver)
+            bound = self.bound(variant, call, receiver)
             if bound is not None or variant is variants[-1]:
                 inner = Types(self.program, variant.module, receiver.name if receiver and found.ours else "")
                 return filled(inner.annotated(variant.node.returns), bound or {})
         return ANY
 
-    def bound(
-        self, found: Found, args: list[ast.expr], keywords: list[ast.keyword], receiver: Type | None = None
-    ) -> dict[str, Type] | None:
+    def bound(self, found: Found, call: ast.Call, receiver: Type | None = None) -> dict[str, Type] | None:
         """Return the types of a function's type variables in a call; None if the arguments do not fit."""
-        pairs = self.paired(found, args, keywords)
+        pairs = self.paired(found, call)
         if pairs is None:
             return None
         given: dict[str, Type] = {}
@@ -617,8 +609,6 @@ class Types:
         if found and not found.ours and (found.is_function or found.is_class):
             with self.applied(value, takes) as call:
                 kind = Type("call", (self.infer(call),))
-        elif found and found.is_class:
-            kind = Type("call", (found.kind,))
         for form in forms if kind.name == "call" else []:
             self.unify(form.of[0], kind.of[0], given)
 
@@ -630,9 +620,7 @@ class Types:
         with self.naming(kinds):
             yield ast.copy_location(ast.Call(function, names, []), function)
 
-    def paired(
-        self, found: Found, args: list[ast.expr], keywords: list[ast.keyword]
-    ) -> list[tuple[ast.expr, Parameter]] | None:
+    def paired(self, found: Found, call: ast.Call) -> list[tuple[ast.expr, Parameter]] | None:
         """Return each argument with its parameter; None if there are too many or too few.
 
         What comes behind an unpacked argument has no parameter that is known.
@@ -640,21 +628,20 @@ class Types:
         parameters = self.program.signature(found) or []
         places = [each for each in parameters if each.how in ("", "/")]
         rest = {each.how: each for each in parameters}
+        args = call.args
         unpacked = next((at for at, each in enumerate(args) if isinstance(each, ast.Starred)), len(args))
         if unpacked > len(places) and "*" not in rest:
             return None
-        by_place = (
-            [*places, *[rest.get("*", parameters[-1])] * (unpacked - len(places))] if parameters else []
-        )
-        pairs = [*zip(args[:unpacked], by_place, strict=False)]
+        more = [rest["*"]] * (unpacked - len(places)) if "*" in rest else []
+        pairs = [*zip(args[:unpacked], [*places, *more], strict=False)]
         left = {each.name: each for each in parameters if each.how == "key" or each in places[len(args) :]}
-        for keyword in keywords:
+        for keyword in call.keywords:
             parameter = left.get(keyword.arg or "")
             if parameter and parameter.how != "/":
                 pairs.append((keyword.value, parameter))
             elif keyword.arg is not None and "**" not in rest:
                 return None
-        given = {each.arg for each in keywords}
+        given = {each.arg for each in call.keywords}
         missing = any(each.default is None and each.name not in given for each in left.values())
         return None if missing and unpacked == len(args) and None not in given else pairs
 
@@ -673,9 +660,6 @@ class Types:
         elif kind.name == "|":
             for each in kind.of:
                 self.unify(pattern, each, given)
-        elif pattern.name == "tuple" and kind.name in ("row", "sequence"):
-            for each in pattern.of:
-                self.unify(each, item_of(kind), given)
         elif len(pattern.of) == len(kind.of) or pattern.name == kind.name:
             for one, other in zip(pattern.of, kind.of, strict=False):
                 self.unify(one, other, given)
@@ -708,8 +692,8 @@ class Types:
 
     def _iterates(self, kind: Type, how: str) -> bool:
         """Whether something of `kind` is a sequence, or is iterated over in an order or in any."""
-        if kind.name == "set":
-            return how in ("unordered", "collection")
+        if kind.name in ("set", "collection"):
+            return how == "collection" or (kind.name, how) == ("set", "unordered")
         if kind.name in (_SEQUENCES if how == "sequence" else _ITERABLES) or self.parts(kind) is not None:
             return True
         return how != "sequence" and "." in kind.name and self.item(kind) != ANY
@@ -786,14 +770,11 @@ class Types:
         names = {*map(leaf, nodes), *(each.name for each in wanted)}
         if kind == ANY:
             return join(*(_OPEN.get(each.name, each) for each in wanted)) if positive else ANY
-        inside = {each: not names.isdisjoint(self._ancestry(each)) for each in either(kind)}
+        inside = [each for each in either(kind) if not names.isdisjoint(self._ancestry(each))]
+        others = [each for each in either(kind) if each not in inside]
         if not positive:
-            return join(*(each for each in inside if not inside[each]))
-        found = [each for each in inside if inside[each]]
-        below = (
-            one for each in inside if not inside[each] for one in wanted if each.name in self._ancestry(one)
-        )
-        found += below
+            return join(*others)
+        found = inside + [one for each in others for one in wanted if each.name in self._ancestry(one)]
         if not found and (kind.name in ("iterable", "sequence") or kind in self.program.protocols):
             found = wanted
         return join(*found)

@@ -1,11 +1,11 @@
 # What translated modules may use of Python's own functions, methods and library: with these parameters, and no other.
 #
-# The translator reads this as it reads a module, so that the table is what is checked. Of several definitions of one
-# name the first that takes the arguments is meant. Word is an int from 0 to 2^31;
-# Float is a float for sure, float may be an int; Unordered may be a set, Iterable may not: a set has another order
-# in JavaScript. Sized has a length. Ordered[X], Compared[X], Key[X], Keys[X], JSON[X], Character[X] and Base[X] are X,
-# and `Calls._marked` refuses what does not fit: items without an order, keys that are no keys in JavaScript.
-# What stands under `if module == "math"` is imported from there.
+# The translator reads this as it reads a module. Of several definitions of one name the first that takes the arguments
+# is used. What is under `if module == "math"` is imported from there.
+#
+# Word is an int from 0 to 2^31. Float is a float, never an int; float may be either. Unordered may be a set, Iterable may
+# not, since a set has another order in JavaScript. Sized has a length. Ordered[X], Compared[X], Key[X], Keys[X], JSON[X],
+# Character[X] and Base[X] have the type X; `Calls._marked` says which values it refuses.
 # mypy: ignore-errors
 # ruff: noqa
 
@@ -77,10 +77,6 @@ class list:
     def pop(self: list[T], at: int = ..., /) -> T: ...
 
 class tuple:
-    def count(self: Sequence[T], item: Compared[T], /) -> Word: ...
-    def index(self: Sequence[T], item: Compared[T], start: int = ..., /) -> Word: ...
-
-class sequence:
     def count(self: Sequence[T], item: Compared[T], /) -> Word: ...
     def index(self: Sequence[T], item: Compared[T], start: int = ..., /) -> Word: ...
 

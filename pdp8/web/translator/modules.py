@@ -28,16 +28,13 @@ _TAKEN = (
 )  # fmt: skip
 """Names that JavaScript's own objects have."""
 _ERRORS = ("message", "name", "stack", "cause", "args")
-_DUNDERS = (
-    "__init__", "__post_init__", "__str__", "__len__", "__iter__", "__getitem__", "__setitem__",
-    "__add__", "__sub__", "__mul__", "__truediv__",
-)  # fmt: skip
+_DUNDERS = ("__init__", "__post_init__", "__str__", "__len__", "__iter__", "__getitem__", "__setitem__")
 """What the runtime asks an object for."""
 
 
 @contextmanager
 def _telling(say: Callable[[str], object] | None) -> Iterator[None]:
-    """Pass what has no translation to `say`, if there is one, and go on behind the block."""
+    """Call `say` with a fault that the block raises, and continue after it; without `say` raise it."""
     try:
         yield
     except Untranslated as fault:

@@ -31,15 +31,21 @@ class Operator(NamedTuple):
     """The runtime's, of whole numbers of any size."""
     floats: str = ""
     """The runtime's, of numbers of which one is a float; "" if JavaScript's own does it, or none."""
-    method: str = ""
-    """The method of a class of ours that the runtime calls."""
+
+
+class Operand(NamedTuple):
+    """An operand: as it is written, its type, and its value if it is a constant whole number."""
+
+    text: str
+    kind: Type
+    number: int | None
 
 
 OPERATORS: dict[type[ast.operator], Operator] = {
-    ast.Add: Operator("({} + {})", "add", "plus", method="__add__"),
-    ast.Sub: Operator("({} - {})", "sub", "minus", method="__sub__"),
-    ast.Mult: Operator("({} * {})", "mul", "times", method="__mul__"),
-    ast.Div: Operator("({} / {})", "div", "div", "div_", "__truediv__"),
+    ast.Add: Operator("({} + {})", "add", "plus"),
+    ast.Sub: Operator("({} - {})", "sub", "minus"),
+    ast.Mult: Operator("({} * {})", "mul", "times"),
+    ast.Div: Operator("({} / {})", "div", "div", "div_"),
     ast.FloorDiv: Operator("Math.floor({} / {})", "floordiv", "floordiv", "floordiv_"),
     ast.Mod: Operator("({} % {})", "mod", "mod", "mod_"),
     ast.LShift: Operator("({} * 2 ** {})", "shl", "shl"),
@@ -51,19 +57,14 @@ OPERATORS: dict[type[ast.operator], Operator] = {
 }
 
 
-def is_direct(
-    operator: ast.operator, kinds: tuple[Type, Type], numbers: tuple[int | None, int | None], checked: bool
-) -> bool:
-    """Whether JavaScript's own operator gives what Python's does, of numbers below 2^53 if not `checked`.
-
-    `numbers` are the values of the operands that are constants.
-    """
-    words, (first, second) = kinds == (WORD, WORD), numbers
+def is_direct(operator: ast.operator, left: Operand, right: Operand, checked: bool) -> bool:
+    """Whether JavaScript's own operator gives what Python's does, of numbers below 2^53 if not `checked`."""
+    words, second = left.kind == right.kind == WORD, right.number
     match operator:
         case ast.Add() | ast.Sub():
             return words or not checked
         case ast.Mult():
-            small = any(each is not None and 0 <= each < 1 << 22 for each in (first, second))
+            small = any(each.number is not None and 0 <= each.number < 1 << 22 for each in (left, right))
             return (words and small) or not checked
         case ast.Div() | ast.FloorDiv():
             return bool(second) and (words or not checked)
@@ -72,11 +73,11 @@ def is_direct(
         case ast.RShift():
             return words and second is not None and second < 32
         case ast.LShift():
-            return (kinds[0] == WORD and second is not None and 0 <= second <= 21) or not checked
+            return (left.kind == WORD and second is not None and 0 <= second <= 21) or not checked
         case ast.Pow():
             return not checked
         case ast.BitAnd():
-            return words or (WORD in kinds and not checked)
+            return words or (WORD in (left.kind, right.kind) and not checked)
     return words
 
 

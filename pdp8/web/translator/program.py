@@ -11,7 +11,6 @@ from pdp8.web.translator.types import Type, leaf
 _CLOSED = (
     ast.FunctionDef | ast.Lambda | ast.ClassDef | ast.Constant | ast.Name | ast.expr_context | ast.operator
 )
-PROPERTIES = frozenset(("property", "cached_property"))
 
 
 class Untranslated(Exception):
@@ -68,7 +67,7 @@ class Found(NamedTuple):
     @property
     def is_property(self) -> bool:
         """Whether it is a method that is read as an attribute."""
-        return self.is_function and not PROPERTIES.isdisjoint(self.marks)
+        return self.is_function and not {"property", "cached_property"}.isdisjoint(self.marks)
 
     @property
     def is_static(self) -> bool:
@@ -106,23 +105,25 @@ class Found(NamedTuple):
     @property
     def parameters(self) -> list[Parameter]:
         """The parameters of a function, self among them."""
-        args = self.node.args
-        places = [*(("/", each) for each in args.posonlyargs), *(("", each) for each in args.args)]
-        defaults = [*[None] * (len(places) - len(args.defaults)), *args.defaults]
-        found = [(how, each, default) for (how, each), default in zip(places, defaults, strict=True)]
-        keys = zip(args.kwonlyargs, args.kw_defaults, strict=True)
-        found += [("*", args.vararg, None), *(("key", *each) for each in keys), ("**", args.kwarg, None)]
-        return [
-            Parameter(each.arg, each.annotation, default, self.module, how)
-            for how, each, default in found
-            if each
-        ]
+        return _parameters(self)
 
 
 @cache
 def _marks(node: ast.AST) -> frozenset[str]:
     marks = [getattr(each, "func", each) for each in getattr(node, "decorator_list", ())]
     return frozenset(map(leaf, [*marks, *getattr(node, "bases", ())]))
+
+
+@cache
+def _parameters(of: Found) -> list[Parameter]:
+    args = of.node.args
+    places = [*(("/", each) for each in args.posonlyargs), *(("", each) for each in args.args)]
+    defaults = [*[None] * (len(places) - len(args.defaults)), *args.defaults]
+    found = [(how, each, default) for (how, each), default in zip(places, defaults, strict=True)]
+    keys = zip(args.kwonlyargs, args.kw_defaults, strict=True)
+    found += [("*", args.vararg, None), *(("key", *each) for each in keys), ("**", args.kwarg, None)]
+    own = ((how, each, default) for how, each, default in found if each)
+    return [Parameter(each.arg, each.annotation, default, of.module, how) for how, each, default in own]
 
 
 def targets(node: ast.AST) -> list[str]:

@@ -475,12 +475,11 @@ export const put = (of, index, value) => {
 
 /** As many items as there are targets; what the starred one takes is a list. */
 export const unpack = (of, count, star = -1) => {
-  const items = sequence(of) ? [...of] : [], given = items.length || sequence(of) ? items : taken(of, star < 0 ? count + 1 : Infinity);
-  if (star < 0 ? given.length === count : given.length >= count - 1) {
-    return star < 0 ? given : [...given.slice(0, star), given.slice(star, given.length - count + star + 1), ...given.slice(given.length - count + star + 1)];
-  }
-  if (star < 0 && given.length > count) throw new ValueError(`too many values to unpack (expected ${count})`);
-  throw new ValueError(`not enough values to unpack (expected ${star < 0 ? count : `at least ${count - 1}`}, got ${given.length})`);
+  const exact = star < 0, given = sequence(of) ? [...of] : taken(of, exact ? count + 1 : Infinity);
+  if (exact && given.length > count) throw new ValueError(`too many values to unpack (expected ${count})`);
+  if (given.length < count - !exact) throw new ValueError(`not enough values to unpack (expected ${exact ? count : `at least ${count - 1}`}, got ${given.length})`);
+  const end = star + given.length - count + 1;
+  return exact ? given : [...given.slice(0, star), given.slice(star, end), ...given.slice(end)];
 };
 const taken = (of, most) => {
   const found = [];

@@ -158,7 +158,7 @@ class Statements(Calls):
             case [ast.If(_, one, other)]:
                 return self._ends(one) and self._ends(other)
             case [ast.Expr(ast.Call() as call)]:
-                return self._never(call)
+                return self.never(call)
         return False
 
     def _set_in(self, body: Iterable[ast.AST]) -> None:
@@ -237,17 +237,13 @@ class Statements(Calls):
             scope.update(around)
             self.learn(node.body)
             local = [name for name in scope if name not in given]
-            Assigned(local, self.fail, self.constant, self._never).after(node.body, frozenset())
+            Assigned(local, self).after(node.body, frozenset())
             self.temporary.append([])
             lines = self.block(node.body)
             local = [named(name) for name in scope if name not in given and name[0] != "$"]
         local += self.temporary.pop()
         self.declared, self.returns, self.loops, self.catching = outer
         return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
-
-    def _never(self, node: ast.expr) -> bool:
-        """Whether nothing comes after a call."""
-        return self.infer(node).name == "never"
 
     def _lazy(self, body: list[ast.AST]) -> None:
         """Refuse a generator that has something left to do where it is left."""
@@ -348,20 +344,22 @@ class Statements(Calls):
     def _changed(self, node: ast.AugAssign, target: ast.expr, value: ast.expr) -> list[str]:
         """Return `target += value`; what leads to the target is looked at once."""
         before, target = self._once(target)
-        now, by = self.e(target), self.e(value)
         kind = without_none(self.infer(target))
         if isinstance(target, ast.Name | ast.Attribute) and kind in (*NUMBERS, BOOL):
             self._accept_number(node, target)
         if kind.name not in ("list", "bytearray", "set", "dict"):
-            return [*before, self.put(target, self.binary(node, node.op, (now, target), (by, value)))]
+            return [
+                *before,
+                self.put(target, self.binary(node, node.op, self.operand(target), self.operand(value))),
+            ]
         is_sum, is_union = isinstance(node.op, ast.Add), isinstance(node.op, ast.BitOr)
         if not is_sum and not is_union:
             self.fail(node, f"{kind} is changed by this operator")
-        if kind.name in ("list", "bytearray"):
-            by = self.iterated(value)
-        elif self.infer(value).name != kind.name:
+        is_list = kind.name in ("list", "bytearray")
+        if not is_list and self.infer(value).name != kind.name:
             self.fail(node, f"{kind} grows")
-        return [*before, self.put(target, f"$.grown({now}, {by}, $.{'add' if is_sum else 'or_'})")]
+        by = self.iterated(value) if is_list else self.e(value)
+        return [*before, self.put(target, f"$.grown({self.e(target)}, {by}, $.{'add' if is_sum else 'or_'})")]
 
     def _accept_number(self, node: ast.AugAssign, target: ast.Name | ast.Attribute) -> None:
         """Refuse `n /= 2` where n is annotated an int."""
