@@ -157,7 +157,15 @@ class Style {
   removeProperty(name) { delete this[name]; }
   getPropertyValue(name) { return this[name] ?? ""; }
 }
-const HIGH = 600, WIDE = 1000;
+let HIGH = 600, WIDE = 1000;
+/** Let all be as large. */
+export function size(wide, high) {
+  [WIDE, HIGH] = [wide, high];
+  for (const each of Observer.all) each.see();
+}
+const area = (left, top, right, bottom) => ({ left, top, right, bottom, width: right - left, height: bottom - top, x: left, y: top });
+/** Of the room: the hour is above, what is told at the right, or below. */
+const LAID = { when: () => area(0, 0, WIDE, 40), told: () => (WIDE > HIGH ? area(0.7 * WIDE, 0, WIDE, HIGH) : area(0, 0.7 * HIGH, WIDE, HIGH)) };
 const LINES = /^(text|password|search|)$/;
 
 export class Element extends Node {
@@ -343,7 +351,7 @@ export class Element extends Node {
   get clientHeight() { return HIGH; }
   get scrollHeight() { return HIGH; }
   get viewBox() { const [x, y, width, height] = (this.getAttribute("viewBox") ?? "0 0 0 0").split(" ").map(Number); return { baseVal: { x, y, width, height } }; }
-  getBoundingClientRect() { return { left: 0, top: 0, right: WIDE, bottom: HIGH, width: WIDE, height: HIGH, x: 0, y: 0 }; }
+  getBoundingClientRect() { return (LAID[this.className] ?? (() => area(0, 0, WIDE, HIGH)))(); }
   scrollIntoView() { document.scrolled = this; }
   setPointerCapture() {}
   releasePointerCapture() {}
@@ -398,29 +406,44 @@ function parse(source, place) {
 
 // What is drawn
 
-export const words = []; // that were written on canvases, the newest last
+let strokes = null;
+const brief = (of) => (typeof of === "number" ? Number(of.toPrecision(5)) : Array.isArray(of) ? `[${of.map(brief)}]` : of !== null && typeof of === "object" ? of.constructor.name : of);
+const note = (name, given) => strokes?.push(`${name} ${given.map(brief).join(" ")}`);
+/** What is drawn on canvases while something is done, a line each. */
+export async function drawn(act) {
+  strokes = [];
+  await act();
+  const found = strokes;
+  strokes = null;
+  return found;
+}
+const nothing = () => undefined;
 function context(canvas) {
   let now = [1, 0, 0, 1, 0, 0];
   const kept = [];
-  const times = ([a, b, c, d, e, f]) => { const [A, B, C, D, E, F] = now; now = [A * a + C * b, B * a + D * b, A * c + C * d, B * c + D * d, A * e + C * f + E, B * e + D * f + F]; };
-  const done = {
-    canvas, save: () => kept.push(now), restore: () => (now = kept.pop() ?? now), scale: (x, y) => times([x, 0, 0, y, 0, 0]), translate: (x, y) => times([1, 0, 0, 1, x, y]), rotate: (by) => times([Math.cos(by), Math.sin(by), -Math.sin(by), Math.cos(by), 0, 0]),
-    transform: (...by) => times(by), setTransform: (...to) => (now = to.length > 1 ? to : [to[0].a, to[0].b, to[0].c, to[0].d, to[0].e, to[0].f]), resetTransform: () => (now = [1, 0, 0, 1, 0, 0]),
-    getTransform: () => { const [a, b, c, d, e, f] = now; return { a, b, c, d, e, f, inverse: () => ({ a: 1 / a, b: 0, c: 0, d: 1 / d, e: -e / a, f: -f / d }) }; },
-    fillText: (text) => (words.push(String(text)), words.length > 4000 && words.splice(0, 2000)), measureText: (text) => ({ width: 6 * String(text).length }), createImageData: (width, height) => ({ data: new Uint8ClampedArray(4 * width * height) }),
-    getImageData: (_x, _y, width, height) => ({ data: new Uint8ClampedArray(4 * width * height) }), getContextAttributes: () => ({}),
+  const times = ([a, b, c, d, e, f]) => {
+    const [A, B, C, D, E, F] = now;
+    now = [A * a + C * b, B * a + D * b, A * c + C * d, B * c + D * d, A * e + C * f + E, B * e + D * f + F];
   };
-  for (const kind of ["createLinearGradient", "createRadialGradient", "createConicGradient", "createPattern"]) done[kind] = () => ({ addColorStop() {}, setTransform() {} });
-  return new Proxy(done, { get: (_, name) => (name in done ? done[name] : () => undefined) });
+  const done = {
+    canvas, globalAlpha: 1, save: () => kept.push(now), restore: () => (now = kept.pop() ?? now), scale: (x, y) => times([x, 0, 0, y, 0, 0]), translate: (x, y) => times([1, 0, 0, 1, x, y]), rotate: (by) => times([Math.cos(by), Math.sin(by), -Math.sin(by), Math.cos(by), 0, 0]),
+    transform: (...by) => times(by), setTransform: (...to) => (now = to.length > 1 ? to : Object.values(to[0])), resetTransform: () => (now = [1, 0, 0, 1, 0, 0]), getTransform: () => ({ a: now[0], b: now[1], c: now[2], d: now[3], e: now[4], f: now[5] }), measureText: (text) => ({ width: 6 * String(text).length }),
+    createImageData: (width, height) => ({ data: new Uint8ClampedArray(4 * width * height) }), getImageData: (_x, _y, width, height) => ({ data: new Uint8ClampedArray(4 * width * height) }),
+  };
+  for (const kind of ["createLinearGradient", "createRadialGradient", "createPattern"]) done[kind] = () => new Path2D("shade");
+  return new Proxy(done, {
+    get: (_, name) => (name in done && typeof done[name] !== "function" ? done[name] : (...given) => (note(String(name), given), (done[name] ?? nothing)(...given))),
+    set: (_, name, value) => (note(name, [value]), (done[name] = value), true),
+  });
+}
+class Path2D {
+  constructor(kind = "path") { return new Proxy(this, { get: (of, name) => (name === "constructor" ? Path2D : (...given) => note(`${kind}.${String(name)}`, given)) }); }
 }
 class OffscreenCanvas {
   constructor(width, height) { Object.assign(this, { width, height }); }
   getContext() { return (this.made ??= context(this)); }
   async convertToBlob() { return new Blob(["picture"]); }
   transferToImageBitmap() { return this; }
-}
-class Path2D {
-  constructor() { return new Proxy(this, { get: () => () => undefined }); }
 }
 /** The nodes of a sound. */
 class Sounding {
@@ -465,10 +488,11 @@ class Storage {
   removeItem(name) { delete this[name]; }
 }
 class Observer {
-  constructor(act) { this.act = act; }
-  observe(target) { later(() => this.act([{ target, contentRect: { width: WIDE, height: HIGH }, isIntersecting: true }])); }
-  disconnect() {}
-  unobserve() {}
+  static all = [];
+  targets = [];
+  constructor(act) { this.act = act; Observer.all.push(this); }
+  see(targets = this.targets) { later(() => targets.forEach((target) => this.act([{ target, contentRect: area(0, 0, WIDE, HIGH), isIntersecting: true }]))); }
+  observe(target) { this.targets.push(target); this.see([target]); }
 }
 
 class Document extends Node {

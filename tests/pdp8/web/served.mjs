@@ -5,7 +5,7 @@ import { createInterface } from "node:readline";
 import { readFileSync } from "node:fs";
 const asked = createInterface({ input: process.stdin })[Symbol.asyncIterator]();
 const given = JSON.parse((await asked.next()).value);
-await import("./pdp8/web/bench/desk.mjs?worker"); // without a document it serves
+await import(`./pdp8/web/${given.entry === "curve" ? "curve" : "bench/desk"}.mjs?worker`); // without a document it serves
 const work = globalThis.onmessage;
 const dom = await import("./dom.mjs");
 dom.open(readFileSync(given.file, "utf8"), given.address, { ...given, work });
