@@ -102,7 +102,8 @@ def fast(fault: Fault) -> str:
             )  # fmt: skip
         except subprocess.TimeoutExpired:
             return f"did not end in {LONGEST} s"
-    return done.stdout.splitlines()[-2] if done.returncode else ""
+    failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
+    return " ".join(failed) or done.stdout[-200:] if done.returncode else ""
 
 
 def _found(fault: Fault, quick: bool) -> bool:

@@ -346,3 +346,34 @@ def test_sounds_come_at_their_events(room: Page) -> None:
     assert kinds.count("read") == read
     assert kinds.count("punch") == punched
     assert all(0 <= later < 0.2 for _, later in room.evaluate("struck"))
+
+
+def test_a_name_is_punched_by_the_button_that_helps(room: Page) -> None:
+    """What is ringed is what is due: pressed, the next thing is said. Then each letter is a row of holes."""
+    click(room, "#take")
+    ringed = room.locator("#room .hand [aria-current]")
+    for _ in range(40):
+        said = room.evaluate(_STORY)
+        if "Type your name" in said:
+            break
+        assert ringed.count() > 0, said
+        due = room.evaluate("[workbench.room.step.switches, workbench.machine.processor.sr]")
+        bits = room.locator("#room .rocker[aria-current]").count()
+        assert bits == (0 if due[0] < 0 else (due[0] ^ due[1]).bit_count()), said
+        click(room, "#help")
+        room.wait_for_timeout(30)
+        assert room.evaluate(_STORY) != said
+    assert room.evaluate("document.activeElement.id") == "mine"
+    assert ringed.count() == 0
+    room.keyboard.type("Ada 1")
+    until(room, f"{_STORY}.startsWith('ADA 1: 5 rows')")
+    punch = "[...workbench.machine.teletype.punch.frames]"
+    assert room.evaluate(punch) == [0o301, 0o304, 0o301, 0o240, 0o261]
+    until(room, "workbench.room.page.paper.lines.at(-1) === 'ADA 1'")
+    click(room, "#see")
+    until(room, "document.querySelector('#tape').open")
+    assert room.locator("#tape img").get_attribute("alt") == "A paper tape with 5 rows of holes: ADA 1"
+    click(room, "#tape form button", "#turn")
+    assert room.locator("#turn").inner_text() == "To the punch"
+    click(room, "#take", "#take")
+    assert room.evaluate(punch) == [0o301, 0o304, 0o301, 0o240, 0o261]
