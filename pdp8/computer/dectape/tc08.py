@@ -199,7 +199,7 @@ class TC08(BreakDevice):
             self._plan_at(BLOCK, NUMBER, ready)
         elif function in (READ, WRITE):
             self.block = _first(at, NUMBER - 6 if waits else HEADER - 6)
-            if _first(begun, NUMBER - 6) <= _first(at, CHECKED) < self.block:
+            if _first(begun, NUMBER - 6) <= _first(at + LINE // 2, CHECKED) < self.block:
                 self._error(TIMING, now)
             else:
                 self._plan_word(ready)

@@ -139,6 +139,17 @@ def test_read_and_write_are_too_late_within_a_block() -> None:
         assert command(m, SEARCH ^ function, WORDS, clears=False)[0] & 0o7707 == 0o4100
 
 
+def test_a_block_may_be_read_on_at_the_flag_of_the_one_before() -> None:
+    """DTXA follows DTSF at once, as PS/8's loader does it."""
+    m, control = at_block(5)
+    m.load(core("1020 6764 6771 5202 6764 6771 5205 6772 7402"))
+    m.core[0o20], m.core[0o7754], m.core[0o7755] = SEARCH ^ READ ^ CONTINUOUS, -0o300 & 0o7777, 0o777
+    m.stop()
+    m.pc, m.ac = 0o200, 0
+    assert m.run(1).reason == "halt"
+    assert (m.ac & 0o7707, control.block) == (1, 7)
+
+
 def test_power_off_in_a_block_leaves_what_was_written() -> None:
     m, control = at_block(5)
     m.core[0o1000:0o1201] = range(0o100, 0o301)
