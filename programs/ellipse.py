@@ -103,11 +103,11 @@ def part(
     real, store = arithmetic.real, arithmetic.store
     at = {"AX": real(start_x), "AY": real(start_y)}
     last = {"AX": real(major), "AY": real(minor)}
-    aa, bb = real(outer_major), real(outer_minor)
-    a, b = real(inner_major), real(inner_minor)
+    aa, bb = real(outer_major) ** 2, real(outer_minor) ** 2
+    a, b = real(inner_major) ** 2, real(inner_minor) ** 2
 
     def one(a: Any, b: Any) -> Any:
-        return store(at["AX"] ** 2 / a**2 + at["AY"] ** 2 / b**2)
+        return store(at["AX"] ** 2 / a + at["AY"] ** 2 / b)
 
     def cut_to_here(sequence: int, east: int, north: int, function: int) -> None:
         x, y = centre_x + east * int(at["AX"]), centre_y + north * int(at["AY"])

@@ -61,12 +61,11 @@ class _Path:
         x, y = self.at.x + round(self._across * steps), self.at.y + round(self._up * steps)
         return Point(x, y + aside) if self._x_is_faster else Point(x + aside, y)
 
-    def leads(self, aside: int, steps: int) -> bool:
+    def leads(self, stop: Point) -> bool:
         """Whether the stop is ahead, and in the band."""
-        x, y = self.stop(aside, steps)
         stretch = self.stretch
-        ahead = (x - self.at.x) * stretch.dx >= 0 and (y - self.at.y) * stretch.dy >= 0
-        return ahead and stretch.inside(x, y)
+        ahead = (stop.x - self.at.x) * stretch.dx >= 0 and (stop.y - self.at.y) * stretch.dy >= 0
+        return ahead and stretch.inside(stop.x, stop.y)
 
 
 class Ray(NamedTuple):
@@ -142,10 +141,8 @@ class Technique:
 
     def _kept(self, path: "_Path", aside: int, steps: int) -> bool:
         """Whether the band is kept by a path of so many steps."""
-        if not path.leads(aside, steps):  # most do not
-            return False
         stop = path.stop(aside, steps)
-        if _passes(path.stretch, path.at, stop):
+        if not path.leads(stop) or _passes(path.stretch, path.at, stop):  # most do not
             return False
         return self._keeps(path.stretch, path.at, stop, path.speeds)
 

@@ -146,7 +146,7 @@ def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
     middle_x, middle_y, smaller, larger = centre.x, centre.y, a * b, c * d
 
     def side(x: float, y: float) -> Side:
-        across, up = (x - middle_x) ** 2, (y - middle_y) ** 2
+        across, up = (x - middle_x) * (x - middle_x), (y - middle_y) * (y - middle_y)
         if (within := across * b + up * a - smaller) <= 0:
             return Side.BELOW if within else Side.LOWER_LIMIT
         if (without := across * d + up * c - larger) >= 0:

@@ -4,6 +4,7 @@ Each tape is made once in a run; a part is named as `pdp8 part` names it, with i
 """
 
 from functools import cache
+from inspect import signature
 from typing import Any
 
 import nc
@@ -16,9 +17,15 @@ from tapes import ascii, eia
 from tapes.nominal import Nominal
 
 
-@cache
 def printout(part: str, **constants: Any) -> str:
     """Return what the part program prints."""
+    given = signature(parts.find(part).program()).bind(**constants)
+    given.apply_defaults()
+    return _printed(part, **given.arguments)
+
+
+@cache
+def _printed(part: str, **constants: Any) -> str:
     return parts.find(part).program()(**constants)
 
 

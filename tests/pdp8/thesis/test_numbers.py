@@ -121,7 +121,7 @@ def test_what_is_kept_is_what_is_computed() -> None:
 
 
 def _forget() -> None:
-    for kept in (measures._table, measures._readings, chain.printout, chain.path):
+    for kept in (measures._table, measures._readings, chain._printed, chain.path):
         kept.cache_clear()
 
 
