@@ -155,8 +155,8 @@ def _all(package: str) -> list[str]:
 
 def _source(package: str, name: str) -> tuple[str, str]:
     """Return the path and the text of a module, wherever it is installed."""
-    top, *rooms = package.split(".")  # what a room's __init__ imports is not needed here
-    path = files(top).joinpath(*rooms, f"{name}.py")
+    top, *within = package.split(".")  # what a package's __init__ imports is not needed here
+    path = files(top).joinpath(*within, f"{name}.py")
     return str(path), path.read_text(encoding="utf-8")
 
 

@@ -1,8 +1,8 @@
 """Calls: of our own functions and classes, and of what library.pyi has of Python's.
 
-A function's `*args` are one array, its `**kwargs` one Dict; keyword arguments stand in the places that the
-function's own parameters have. What is asked of an argument of Python's own functions beyond its type is
-marked in library.pyi: `Ordered[...]`, `Literal[...]`.
+A function's `*args` are one array, its `**kwargs` one Dict; keyword arguments take the places of the
+function's parameters. What an argument of Python's own functions must be besides its type is marked in
+library.pyi: `Ordered[...]`, `Literal[...]`.
 """
 
 import ast
@@ -177,7 +177,7 @@ class Calls(Expressions):
                 self.fail(node, f"isinstance of {name}")
             is_tuple = name in ("tuple", "list") and any(self.parts(Type(one)) is not None for one in names)
             if is_tuple or names & _UNSURE.get(name, set()):
-                why = f"isinstance({kind}, {name}) is not to be told in JavaScript"
+                why = f"JavaScript cannot tell isinstance({kind}, {name})"
                 self.refuse(node, why, "an annotation")
             texts.append(self.dotted(each) if ours else f"$.{'list' if name == 'tuple' else name}")
         return f"$.isinstance({self.e(value)}, {one_or_several(texts)})"
@@ -201,7 +201,12 @@ class Calls(Expressions):
             return f"new $.{name}({self.all(node.args)})"
         for kind in either(receiver) if receiver else (None,):
             method = (kind and self.of_class(kind.name, name)[1]) or found
-            form = self._form(node, method, kind)
+            form, fitting = self.form(method, node, kind)
+            if fitting is None:
+                given = ", ".join(str(self.infer(each)) for each in node.args)
+                forms = (ast.unparse(each.node.args) for each in self.program.variants(method))
+                taken = " or ".join(f"{name}({each})" for each in forms)
+                self.refuse(node, f"{name} of ({given}) is not in the table", taken)
             for value, parameter in self.paired(form, node) or []:
                 self._marked(node, value, parameter, kind)
         if any(isinstance(each, ast.Starred) for each in node.args):
@@ -214,18 +219,6 @@ class Calls(Expressions):
                 return f"$.{name}({arguments})"
             return f"$.{leaf(node.func.value)}.{name}({arguments})"
         return f"$.{instead or self.module.imports.get(name, ('', name))[1]}({arguments})"
-
-    def _form(self, node: ast.Call, of: Found, receiver: Type | None) -> Found:
-        """Return the form of a function that takes these arguments."""
-        forms = self.program.variants(of)
-        for form in forms:
-            if self.bound(form, node, receiver) is not None:
-                return form
-        given = ", ".join(str(self.infer(each)) for each in node.args)
-        name = leaf(node.func)
-        taken = " or ".join(f"{name}({ast.unparse(each.node.args)})" for each in forms)
-        self.refuse(node, f"{name} of ({given}) is not in the table", taken)
-        return forms[0]
 
     def _marked(self, node: ast.Call, value: ast.expr, parameter: Parameter, receiver: Type | None) -> None:
         """Refuse an argument that is not as the table marks its parameter."""

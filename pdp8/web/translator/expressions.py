@@ -222,7 +222,7 @@ class Expressions(Types):
                 return self.listed(generators, value)
             case ast.GeneratorExp(value, generators):
                 first = self.iterated(generators[0].iter)  # it is there at once, all else when it is wanted
-                loops = self.comprehended(generators, value, "yield {};", "$of", late=True)
+                loops = self.comprehended(generators, value, "yield {};", "$of")
                 return f"(function* ($of) {{ {loops} }}).call(this, {first})"
             case ast.SetComp(value, generators):
                 self.keyed(node, self.infer(node).of[0])
@@ -586,7 +586,7 @@ class Expressions(Types):
             return f"{text}[{number}]"
         if kind.name == "words" and not self.checked:
             return f"{text}[{at}]"
-        twice = re.fullmatch(r"[\w.$]+", text + at)  # it may stand there twice
+        twice = re.fullmatch(r"[\w.$]+", text + at)  # it may be written twice
         direct = twice and kind.name in (*_LISTS, "words")
         named_ = ', "tuple index"' if kind.name in ("tuple", "row") and self.checked else ""
         safe = f"$.at({text}, {at}{named_})"
@@ -713,16 +713,15 @@ class Expressions(Types):
         *,
         test: bool = False,
         ordered: bool = True,
-        late: bool = False,
     ) -> str:
         """Return the loops of a comprehension, and in them `put` with its value, or with the test of it.
 
-        `first` is what the first loop runs over, if it has been written; if it is `late` a variable is one
-        for all turns.
+        `first` is what a generator's first loop runs over. In a generator, and around a lambda, a variable is
+        the same in all turns, as in Python.
         """
         loops, names = list[str](), list[str]()
         parts = (part for each in (value, *generators) for part in ast.walk(each))
-        late = late or any(isinstance(each, ast.Lambda) for each in parts)
+        late = bool(first) or any(isinstance(each, ast.Lambda) for each in parts)
         with self.naming({}):
             for generator in generators:
                 source = first or self.iterated(generator.iter, ordered)

@@ -570,13 +570,20 @@ class Types:
             case [ast.Constant(str(pattern))] if found.node.name == "compile" and not found.ours:
                 groups = re.compile(pattern).groups
                 return Type("Pattern", (STR if groups < 2 else Type("tuple", (STR,) * groups),))
-        variants = self.program.variants(found)
-        for variant in variants:
-            bound = self.bound(variant, call, receiver)
-            if bound is not None or variant is variants[-1]:
-                inner = Types(self.program, variant.module, receiver.name if receiver and found.ours else "")
-                return filled(inner.annotated(variant.node.returns), bound or {})
-        return ANY
+        form, given = self.form(found, call, receiver)
+        inner = Types(self.program, form.module, receiver.name if receiver and found.ours else "")
+        return filled(inner.annotated(form.node.returns), given or {})
+
+    def form(
+        self, found: Found, call: ast.Call, receiver: Type | None
+    ) -> tuple[Found, dict[str, Type] | None]:
+        """Return the first form that takes the arguments, and its type variables; else the last, and None."""
+        forms = self.program.variants(found)
+        for form in forms:
+            given = self.bound(form, call, receiver)
+            if given is not None:
+                return form, given
+        return forms[-1], None
 
     def bound(self, found: Found, call: ast.Call, receiver: Type | None = None) -> dict[str, Type] | None:
         """Return the types of a function's type variables in a call; None if the arguments do not fit."""

@@ -269,7 +269,7 @@ def translate(
 ) -> dict[str, str]:
     """Return the JavaScript of each of the `modules`, {name: (path, text)}, but for what is `omitted`.
 
-    Raises Untranslated, with file and line; with `say`, passes it the message and goes on. The modules that
+    Raises Untranslated, with file and line; with `say`, passes it the message and continues. The modules that
     are `unchecked` trust their numbers and indexes, the functions and classes that are `trusted` their types.
     """
     collecting = gc.isenabled()

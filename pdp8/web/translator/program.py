@@ -182,7 +182,7 @@ class Module:
         self.defined: dict[str, ast.AST] = {}
         self.imports: dict[str, tuple[str, str]] = {}
         """{name: (module, its name there)}; "" is the module itself."""
-        within = re.search(r"^ +(from|import) ", text, re.MULTILINE)  # imports stand within functions too
+        within = re.search(r"^ +(from|import) ", text, re.MULTILINE)  # functions have imports too
         for node in ast.walk(self.tree) if within else self.tree.body:
             if isinstance(node, ast.ImportFrom):
                 source = node.module or ""

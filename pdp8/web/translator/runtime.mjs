@@ -41,7 +41,7 @@ class UnicodeError extends ValueError {
 class Untranslated extends Error {}
 const refuse = (kind, why) => { throw new kind(why); };
 
-// A generator that a loop leaves goes on where it was, as Python's does.
+// A generator that a loop leaves continues where it was, as Python's does.
 Object.getPrototypeOf(function* () {}).prototype.return = (value) => ({ value, done: true });
 
 /** What was thrown, as Python has it. */
@@ -549,7 +549,7 @@ const general = (of, places) => {
   return short(fixed(of, Math.max(0, places - 1 - power)));
 };
 const SPEC = /^([+])?(0)?(\d+)?(,)?(?:\.(\d+))?([oxfg])?$/;
-/** A number stands at the right of its width, a text at the left. */
+/** A number is at the right of its width, a text at the left. */
 export const format = (of, spec) => {
   const [, plus, zero, width = 0, comma, places = 6, kind] = SPEC.exec(spec) ?? refuse(ValueError, "Invalid format specifier");
   if (typeof of !== "number" && typeof of !== "bigint" && !(of instanceof Number)) return str(of).padEnd(width);

@@ -128,7 +128,7 @@ def filled(pattern: Type, given: dict[str, Type]) -> Type:
 
 @cache
 def whole(node: ast.AST | None) -> int | None:
-    """Return the value of an expression of whole numbers alone, None for any other."""
+    """Return the value of an expression that consists only of whole numbers; None for any other."""
     match node:
         case ast.Constant(value):
             return value if type(value) is int else None
