@@ -25,7 +25,7 @@ from importlib.resources import files
 
 from pdp8.web.kept import kept
 from pdp8.web.translator.declarations import declare
-from pdp8.web.translator.modules import library, translate
+from pdp8.web.translator.modules import translate
 from pdp8.web.translator.program import Untranslated
 from tapes import codes
 
@@ -136,7 +136,7 @@ def faults() -> list[str]:
 
 def _own() -> list[str]:
     """Return what the translator itself is made of."""
-    return [_source(__package__, name)[1] for name in _all(__package__)] + [library()]
+    return [*(_source(__package__, name)[1] for name in _all(__package__)), _text("library.pyi")]
 
 
 def _sources() -> dict[str, tuple[str, str]]:
@@ -160,7 +160,11 @@ def _source(package: str, name: str) -> tuple[str, str]:
     return str(path), path.read_text(encoding="utf-8")
 
 
+def _text(name: str) -> str:
+    return files(__package__).joinpath(name).read_text(encoding="utf-8")
+
+
 @cache
 def runtime() -> str:
     """Return the text of the runtime."""
-    return files(__package__).joinpath("runtime.mjs").read_text(encoding="utf-8")
+    return _text("runtime.mjs")

@@ -11,7 +11,6 @@ from collections.abc import Iterable, Iterator
 
 from pdp8.web.translator.expressions import member, named
 from pdp8.web.translator.inference import Types
-from pdp8.web.translator.modules import library
 from pdp8.web.translator.program import Found, Module, Program, targets
 from pdp8.web.translator.types import Type, leaf
 
@@ -207,7 +206,7 @@ class Declarations(Types):
 def declare(modules: dict[str, tuple[str, str]], omitted: dict[str, str]) -> dict[str, str]:
     """Return the declarations of each of the `modules` and of the runtime, {name: text}; see `translate`."""
     read = [Module(name, *source, omitted.get(name, "").split()) for name, source in modules.items()]
-    program = Program(read, library())
+    program = Program(read)
     found = {name: Declarations(program, module).text() for name, module in program.modules.items()}
     own = Declarations(program, program.library["builtins"])
     return found | {"pdp8.web.translator.runtime": own.runtime()}

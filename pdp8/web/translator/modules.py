@@ -5,8 +5,6 @@ import gc
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache
-from importlib.resources import files
 from types import MappingProxyType
 
 from pdp8.web.translator.expressions import member, named
@@ -254,12 +252,6 @@ class Writer(Statements):
         return [*made, *([_PROTOCOLS[name]] if name in _PROTOCOLS else [])]
 
 
-@cache
-def library() -> str:
-    """Return the table of what translated modules may use of Python's own."""
-    return files(__package__).joinpath("library.pyi").read_text(encoding="utf-8")
-
-
 def translate(
     modules: dict[str, tuple[str, str]],
     omitted: dict[str, str],
@@ -279,7 +271,7 @@ def translate(
         for name, source in modules.items():
             with _telling(say):
                 read.append(Module(name, *source, omitted.get(name, "").split()))
-        program = Program(read, library())
+        program = Program(read)
         for name, module in program.modules.items():
             with _telling(say):
                 written[name] = Writer(

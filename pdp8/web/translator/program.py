@@ -4,6 +4,7 @@ import ast
 import re
 from collections.abc import Iterable, Iterator
 from functools import cache
+from importlib.resources import files
 from typing import Any, NamedTuple
 
 from pdp8.web.translator.types import Type, leaf
@@ -174,7 +175,6 @@ class Module:
     def __init__(self, name: str, path: str, text: str, omitted: Iterable[str]) -> None:
         self.name = name
         self.path = path
-        self.text = text
         self.tree = ast.parse(text)
         self.table = ""
         """The name of a module of Python's library, of which this is what may be used."""
@@ -230,9 +230,9 @@ class Library(Module):
 
 
 @cache
-def libraries(table: str) -> dict[str, Library]:
-    """Return the modules of the library, {name: module}, as the text of library.pyi has them."""
-    body = ast.parse(table).body
+def libraries() -> dict[str, Library]:
+    """Return what may be used of the modules of Python's library, {name: module}."""
+    body = ast.parse(files(__package__).joinpath("library.pyi").read_text(encoding="utf-8")).body
     found = {"builtins": [each for each in body if not isinstance(each, ast.If)]}
     for each in body:
         if isinstance(each, ast.If) and isinstance(each.test, ast.Compare):
@@ -243,9 +243,9 @@ def libraries(table: str) -> dict[str, Library]:
 class Program:
     """All modules that are translated."""
 
-    def __init__(self, modules: Iterable[Module], table: str) -> None:
+    def __init__(self, modules: Iterable[Module]) -> None:
         self.modules = {module.name: module for module in modules}
-        self.library = libraries(table)
+        self.library = libraries()
         classes = (
             Found(module, node)
             for module in (*self.library.values(), *self.modules.values())

@@ -41,7 +41,6 @@ BYTES, BYTEARRAY, WORDS = Type("bytes"), Type("bytearray"), Type("words")
 WHOLE = (WORD, INT)
 FLOATS = (FLOAT, REAL)
 NUMBERS = (*WHOLE, *FLOATS)
-PLAIN = (*NUMBERS, BOOL, STR)
 _MUTABLE = ("list", "dict", "set")
 _ITEMS = {"bytes": WORD, "bytearray": WORD, "words": WORD, "str": STR}
 
