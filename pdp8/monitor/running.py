@@ -204,6 +204,7 @@ def wait(monitor: Monitor, time: str) -> None:
     """Let time pass: the program runs on if RUN is lit, else the Teletype ends what it has begun."""
     machine = monitor.machine
     end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
+    monitor.stopping = False
     if machine.panel.lamps.run:
         for _ in slices(monitor, seconds(time)):
             pass

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from pdp8.computer.hardware.devices import one_of_each
+from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.monitor.arguments import MonitorError, Quoted
 from pdp8.monitor.commands import find
@@ -76,6 +77,20 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     made.stopping = True  # before the run: it ends none
     do(made, "deposit 300 2310 5300 5300", "go 300 3")
     assert not said[-1].startswith("stop key; ")
+
+
+def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not(tmp_path: Path) -> None:
+    def say(line: str) -> None:
+        made.stopping = made.stopping or line.endswith("goes into the reader")
+
+    made = Monitor(say)
+    (tmp_path / "a").write_bytes(b"\x81" * 20)
+    do(made, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200 0.1", "wait 60")
+    assert made.stopping
+    assert made.machine.elapsed < 10
+    before = made.machine.ticks
+    do(made, "wait 1")
+    assert made.machine.ticks - before == TICKS_PER_SECOND
 
 
 def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
