@@ -17,13 +17,14 @@ import pytest
 from ezdxf.entities.lwpolyline import LWPolyline
 
 import nc
-from nc.curves import Ellipse
+from nc.curves import Ellipse, StraightLine
 from nc.dxf import dxf
 from nc.gcode_1971 import gcode_1971
 from nc.inspection import inspect
 from nc.machine import Settings
 from nc.path import MoveKind
 from nc.report import inspection_report
+from nc.unit import MM
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
 from tests.nc.test_second_machine import ALL_SET, program
@@ -231,6 +232,39 @@ def test_the_four_holes_as_dxf() -> None:
         holes = read_back(text).query('CIRCLE[layer=="HOLES"]')
         places = [(x, y, 0, radius) for x, y in ((1, 1), (1, 2), (4, 2), (4, 1))]
         assert [(*hole.dxf.center, hole.dxf.radius) for hole in holes] == places
+
+
+def drawn(text: str) -> np.ndarray:
+    """Return X, Y and Z of everything in a drawing, its extents last."""
+    drawing, places = read_back(text), list[tuple[float, ...]]()
+    for line in drawing.query("LINE"):
+        places += [tuple(line.dxf.start), tuple(line.dxf.end)]
+    for milled in drawing.query("LWPOLYLINE"):
+        assert isinstance(milled, LWPolyline)
+        places += [(x, y, milled.dxf.elevation) for x, y in milled.get_points("xy")]
+    places += [tuple(hole.dxf.center) for hole in drawing.query("CIRCLE")]
+    return np.array([*places, drawing.header["$EXTMIN"], drawing.header["$EXTMAX"]])
+
+
+def test_everything_in_a_drawing_is_shifted_in_its_unit_and_at_its_depth() -> None:
+    """Two cuts, a hole from another feed point, and a curve that is open."""
+    cuts = ("007 6 02250 04100 0 01 85", "008 0 04000 04100 0 01 80", "009 6 04000 04500 0 01 85")
+    path = nc.cut(tape(*HEADER, *cuts, "010 9 03200 03400 0 01 89", "011 5 01500 01000 0 00 80"))
+    line = StraightLine(500, 4000, 5000, 6000)
+    plain = drawn(dxf(path, line))
+    assert [*plain[0], *plain[1]] == [2.25, 4.1, 0, 4, 4.1, 0]
+    curve = read_back(dxf(path, line)).query('LWPOLYLINE[layer=="CURVE"]').first
+    assert isinstance(curve, LWPolyline)
+    assert not curve.closed
+    assert [*curve.get_points("xy")[0], *curve.get_points("xy")[-1]] == [0.5, 4, 5, 6]
+    assert [*plain[-2], *plain[-1]] == [0.5, 0.75, 0, 5, 6, 0]
+    assert drawn(dxf(path, line, shift=(1000, -500))) == pytest.approx(plain + np.array([1, -0.5, 0]))
+    assert drawn(dxf(path, line, unit=MM)) == pytest.approx(plain * 25.4)
+    header = read_back(dxf(path, line, unit=MM)).header
+    assert (header["$INSUNITS"], header["$MEASUREMENT"]) == (ezdxf.units.MM, 1)
+    deep = drawn(dxf(path, line, depth=True))
+    assert deep[:, :2] == pytest.approx(plain[:, :2])
+    assert sorted({*deep[:, 2]}) == [-0.5, -0.4, 0]
 
 
 def test_the_same_path_is_the_same_drawing() -> None:

@@ -211,6 +211,15 @@ def test_what_the_cutter_never_reached_is_said() -> None:
         inspect(quarter, curve=Ellipse(15000, 5000, 1000, 1000))
 
 
+def test_a_closed_contour_that_ends_elsewhere_is_not_closed() -> None:
+    """The machine's least move is .001 in."""
+    found, line = inspect(nc.cut(CIRCLE), THE_CIRCLE), StraightLine(500, 900, 7000, 2000)
+    for each, gap, said in ((THE_CIRCLE, 1, False), (THE_CIRCLE, 1.5, True), (line, 1500, False)):
+        with case(each, gap):
+            report = inspection_report(replace(found, curve=each, gap=gap))
+            assert any("not closed" in text for text in report) == said
+
+
 def test_a_wide_cutter_leaves_no_wall_within_a_bend() -> None:
     """A circle as wide as the cutter has no inside; y = x² is .5 (1 + 4x²)^1.5 in round, its centre above."""
     for cutter, without in ((3490, 0), (3502, 1)):

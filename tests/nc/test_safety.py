@@ -83,11 +83,23 @@ def linuxcnc(lines: list[str], folder: Path) -> list[tuple[tuple[float, ...], bo
 
 @pytest.mark.parametrize("name", PARTS)
 def test_a_part_is_safe_on_a_mill(name: str, tmp_path: Path) -> None:
-    """It is judged by the blocks of the printout, without the exporter; and goes where they say."""
+    """It is judged by the blocks of the printout, without the exporter; and goes where they say, at any
+    safe height and anywhere.
+    """
     expression = {"curve": ["sin(x)+1"], "profile": ["1.2+0.2*cos(x)"]}.get(name, [])
     blocks = printouts.blocks(part(name, *expression, **PARTS[name]))
-    lines = [*gcode(nc.cut(frames(blocks)))]
-    assert safety.faults(lines, stock(blocks)) == []
+    path, reached = nc.cut(frames(blocks)), stock(blocks)
+    lines = [*gcode(path)]
+    assert safety.faults(lines, reached) == []
+    for output in (Output(safe=30, shift=(-500, 250)), Output(safe=400, tool_change=True)):
+        low, high = (
+            (x + output.shift[0] / 1000 + near, y + output.shift[1] / 1000 + near)
+            for (x, y), near in ((reached.low, -1e-9), (reached.high, 1e-9))
+        )
+        assert (
+            safety.faults(gcode(path, output), Stock(low, high, reached.depth), output.safe / 1000, LINUXCNC)
+            == []
+        )
     mill = safety.run(lines, 0.25)
     down = [at for at, _ in groupby(move.end[:2] for move in mill.went if move.end[2] < 0)]
     if "technique" in PARTS[name]:  # with two feeds a block has a corner, which no block of it names
