@@ -14,6 +14,7 @@ WORDS = st.dictionaries(st.integers(0, 0o7777), st.integers(0, 0o7777), min_size
 PARITIES = st.sampled_from(["mark", "even", "odd", "none"])
 PAL = st.text(st.sampled_from("ABCTADZ0127 *,/=\n"), min_size=4).map(lambda text: text + "\n")
 NC = st.lists(st.text(st.sampled_from("0123456789"), min_size=19, max_size=19), min_size=1)
+SIX_LEVEL = octal("041 003 050 066 007") * 4
 
 
 def classify(tape: bytes) -> str:
@@ -72,6 +73,10 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (b"ABCDEFGH\1", "unknown"),
         (octal("001 002 004 010 001 002 004 010 001 003 200"), "eia"),
         (octal("001 002 004 010 001 002 004 010 003 200"), "unknown"),
+        (SIX_LEVEL[:19], "unknown"),
+        (SIX_LEVEL[:20], "six-level"),
+        (SIX_LEVEL[:18] + bytes(20) + b"\300\300", "six-level"),  # nine in ten of what is punched
+        (SIX_LEVEL[:17] + bytes(20) + b"\300\300\300", "unknown"),
         (bytes(range(256)), "unknown"),
         (b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\x00\x00\x01\x2c\x00\x00\x00\xc8\x08\x06", "unknown"),
     ],

@@ -160,3 +160,13 @@ def test_blank_tape_inside_a_line_is_named() -> None:
     assert "blank" not in dict(measure.report(tape[:27] + bytes(30) + tape[27:])), "between two lines"
     said = dict(measure.report(tape[:30] + bytes(30) + tape[30:60] + b"\0" + tape[60:]))["blank"]
     assert said == "30 frames inside a line from frame 30 on, and in 1 other place"
+
+
+@pytest.mark.parametrize(("count", "last"), [(10, "frame "), (11, "and 1 more"), (13, "and 3 more")])
+def test_ten_doubts_are_told_and_the_others_counted(count: int, last: str) -> None:
+    tape = bytearray(eia.encode("".join(f"{number:03}0000000000003588\n" for number in range(30))))
+    for damaged in range(count):
+        tape[40 + 37 * damaged] ^= 0o100
+    *first, ended = [what for name, what in measure.report(bytes(tape)) if name == "doubt"]
+    assert ended.startswith(last)
+    assert len(first) == 10 - (count == 10)

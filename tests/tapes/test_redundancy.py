@@ -127,3 +127,6 @@ def test_a_tape_is_turned_as_it_lies(tape: bytes) -> None:
 def test_a_scrap_is_not_turned() -> None:
     for scrap in (b"", b"\x83\6\5", *(EIA[at : at + 2] for at in range(60, 100)), EIA[70:73][::-1]):
         assert redundancy.turned(scrap) == "", scrap
+    for blocks, way in ((3, ""), (4, redundancy.REVERSE)):  # of which two, three follow one another
+        tape = eia.encode("".join(f"{number:03}0000000000003588\n" for number in range(blocks)))
+        assert redundancy.turned(tape[::-1]) == way

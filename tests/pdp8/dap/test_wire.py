@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 from pdp8.dap import session
+from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
+from pdp8.dap.launch import Launch
 from pdp8.dap.session import Session
 from pdp8.dap.wire import Wire
 from tests.commands import run
@@ -232,3 +234,21 @@ def test_a_pause_ends_one_search_and_not_the_next(monkeypatch: pytest.MonkeyPatc
     made.serve()
     first, second = [each for each in spoken(out.getvalue()) if each.get("command") == "reverseContinue"]
     assert (first["message"], second["success"]) == ("paused: the machine stands where it stood", True)
+
+
+@pytest.mark.parametrize("undebugged", [False, True])
+@pytest.mark.parametrize(
+    ("name", "loop", "reason"), [("eia.pal", "", "tape out"), ("waits.pal", "KSF\n\tJMP .-1", "")]
+)
+def test_without_debugging_a_run_ends_where_its_tape_does(
+    name: str, loop: str, reason: str, undebugged: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It waits for a key as it does under a debugger."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "waits.pal").write_text(f"*200\n\t{loop}\n$\n")
+    (tmp_path / "in.asc").write_bytes(b"1")
+    launch = Launch.of({"program": name, "noDebug": undebugged, "reader": "in.asc"})
+    debuggee = Debuggee(launch, Breakpoints())
+    debuggee.run()
+    halt = next(filter(None, (debuggee.advance() for _ in range(100))))
+    assert halt.reason == (reason if undebugged else "")

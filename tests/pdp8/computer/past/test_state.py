@@ -168,3 +168,11 @@ def test_a_switch_set_back_is_as_the_last_run_left_it_in_the_restored_machine_to
         assert not each.waiting.left.holds(each.processor)
         each.processor.mem_prot = each.processor.sr = 0
         assert each.waiting.left.holds(each.processor)
+
+
+def test_what_is_restored_has_the_types_that_it_had() -> None:
+    m = busy()
+    restored = state.restore(state.save(m)).values()
+    assert {name: type(value) for name, value in restored.items()} == {
+        name: type(value) for name, value in m.values().items()
+    }

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.machine import Machine
 from pdp8.computer.use import counted as used
 from pdp8.computer.use.trace import Listing
 from tapes import ascii
@@ -32,6 +33,23 @@ def test_by_hand() -> None:
         *("    JMS                        2   25.00 %", "    HLT                        1   12.50 %"),
         *("never executed: 0213", "written: 0000, 0210-0211"),
     ]
+
+
+def test_a_wait_in_another_field_is_counted_where_it_is() -> None:
+    counts = []
+    for field in (0, 0o10000):
+        m = Machine(memory=0o20000)
+        for at, word in enumerate((0o7300, 0o6046, 0o6041, 0o5202, 0o7402), field | 0o200):
+            m.processor.core[at] = word
+        m.start(0o200)
+        m.processor.extension.inst_field = m.processor.extension.inst_buffer = field
+        with m.count() as count:
+            m.run(seconds=1)
+        counts.append({address & 0o7777: number for address, number in count.executed.items()})
+        assert {address & 0o10000 for address in count.executed} == {field}
+    assert counts[0] == counts[1]
+    assert counts[0][0o200] == 1
+    assert counts[0][0o203] > 1000
 
 
 def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:

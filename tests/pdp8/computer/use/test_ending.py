@@ -8,7 +8,7 @@ import pytest
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
-from pdp8.computer.stop import Reason, Stop
+from pdp8.computer.stop import Reason, Stop, Why
 from pdp8.computer.use import ending
 from pdp8.computer.use.program import Program, read
 from pdp8.computer.use.trace import Listing
@@ -264,3 +264,9 @@ def test_a_lever_at_stop() -> None:
     m.teletype.reader.lever(False)
     m.run(seconds=9)
     assert ending.hands(m, ending.waits_for(m)) == ["keyboard", "lever"]
+
+
+@pytest.mark.parametrize("what", [ending.LOST, ending.UNREAD])
+@pytest.mark.parametrize(("number", "said"), [(1, "1 character "), (2, "2 characters "), (1234, "1,234 ch")])
+def test_lost_characters_are_counted(what: str, number: int, said: str) -> None:
+    assert said in ending.said(Why(what, 0o200, number=number), Listing(), Machine().core)

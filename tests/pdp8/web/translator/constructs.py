@@ -347,7 +347,7 @@ def tables() -> Any:
         [*table], [*table.items()], [*table.values()], table.get("q"), table.get("q") is None, sized["items"], table.get("q", 7), table.pop("y"), "x" in table, len(table),
         dict.fromkeys(["a", "b"], 0), {**table, "z": 1}, table | {"w": 2}, sorted(some), sorted(some & {1, 2}), sorted(some - {1}), sorted(some | {8}),
         sorted(frozenset([2, 1])), json.dumps({"b": [1, "x"], "a": None}, indent=1),
-        json.dumps({"n": [1, True, None, "\u00e9"]}), {None: 1}[None],
+        json.dumps({"n": [1, True, None, "\u00e9"]}), json.dumps({}), {None: 1}[None],
     ]  # fmt: skip
 
 
