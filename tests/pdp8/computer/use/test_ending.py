@@ -19,7 +19,7 @@ from pdp8.dap.launch import Launch
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tests.conftest import Call
-from tests.pdp8.computer.bench import machine
+from tests.pdp8.computer.bench import core, machine
 from tests.pdp8.lessons import exercise, mark
 from tests.pdp8.web.node import in_node, needs_node
 
@@ -138,6 +138,21 @@ def test_the_loaders_are_loaded_too(call: Call) -> None:
     assert status == 1
     (why,) = said.splitlines()[1:]
     assert "It waits for device 01 at 7647 (RSF): no such device is fitted" in why
+
+
+def test_a_run_is_repeated_with_what_came_in_meanwhile() -> None:
+    """A program that reads two frames of a pipe, has another first word, and leaves its words."""
+    words = core("6031 5200 6036 2211 5200 7200 1212 3200 5310 7776 5210")
+    m = Machine()
+    m.load(words)
+    m.teletype.reader.load(b"A")
+    m.start(0o200)
+    began = m.values()
+    m.run(seconds=0.15)
+    m.teletype.reader.tape += b"B"
+    m.teletype.receiver.look()
+    stop = ending.explained(m.run(seconds=2), ending.rerun(m, began), words)
+    assert [(why.what, why.address, why.other) for why in stop.why] == [(ending.JUMPED, 0o210, 0o310)]
 
 
 @every_death
