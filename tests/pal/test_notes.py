@@ -83,3 +83,17 @@ def test_a_wait_for_a_device_that_may_be_fitted_has_no_note() -> None:
     for device in (0o13, 0o40, 0o41, 0o60, 0o66, 0o76, 0o14):
         found = noted(f"*200\n\tSKIPS=6001\n\tSKIPS {device << 3:o}\n\tJMP .-1\n\tHLT\n$\n")
         assert ("PN59" in [code for _, _, code, _ in found]) == (device == 0o14), f"{device:02o}"
+
+
+def test_a_comment_silences_notes_and_no_error() -> None:
+    """Of its own line, and of its codes alone, in either case."""
+    for comment, left in (
+        ("", ["PN01"]),
+        (" / pal: PN01", []),
+        (" / PAL: pn06, pn01", []),
+        (" / pal: PN06", ["PN01"]),
+    ):
+        found = pal.assemble(f"*200\n\tCLA IAC RAL RAR{comment}\n\tHLT\n$\n").diagnostics
+        assert [each.code for each in found] == left, comment
+    (error,) = pal.assemble("*200\n\tTAD UNDEF / pal: UA US\n$\n").diagnostics
+    assert error.error
