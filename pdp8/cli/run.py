@@ -102,7 +102,7 @@ class Options:
             "--dectape",
             multiple=True,
             metavar="N=FILE",
-            help="Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted.",
+            help="Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
         ),
     ]
     save_dectape: Annotated[
@@ -297,7 +297,7 @@ def run(ctx: click.Context, /, options: Options) -> None:
     elif options.restore is None:
         from pdp8.computer.use import bootstrap
 
-        bootstrap.boot(machine)
+        bootstrap.boot(machine, None if 0 in _by_drive(options.dectape) else bootstrap.DF32)
     failures: list[ShelfError] = []
     began = machine.values()
     if _paged(options) or feed.left:
@@ -533,8 +533,11 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError(
             f"{more[0]}: one PROGRAM is run; a tape goes into the reader: --reader {more[0]}"
         )
-    if options.program is None and options.restore is None and 0 not in _by_drive(options.dectape):
-        raise click.UsageError("give a PROGRAM, or --restore FILE, or --dectape 0=FILE to boot.")
+    bootable = options.disk is not None or 0 in _by_drive(options.dectape)
+    if options.program is None and options.restore is None and not bootable:
+        raise click.UsageError(
+            "give a PROGRAM, or --restore FILE, or --dectape 0=FILE or --disk df32=FILE to boot."
+        )
     if options.program is not None and options.restore is not None:
         raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
     if options.line and sys.platform == "win32":

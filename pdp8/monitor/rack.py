@@ -31,6 +31,7 @@ _NEVER = {
 """Devices of SIMH's PDP-8/E, by their names there."""
 _ELSE: dict[str, type[KW8 | PT08]] = {"clk": KW8, "ttix": PT08, "ttox": PT08}
 """What a PDP-8/L could have for them."""
+_NO_DISCS = "{}: no DF32 is fitted; attach df FILE fits it"
 
 
 def absent(monitor: Monitor, name: str) -> str:
@@ -86,7 +87,7 @@ def detach(monitor: Monitor, device: str, where: str) -> None:
     if not discs and unit not in mounted.names:
         raise MonitorError(f"dt{unit}: no tape is mounted")
     if discs and not mounted.discs:
-        raise MonitorError(f"{device}: no DF32 is fitted; attach df FILE fits it")
+        raise MonitorError(_NO_DISCS.format(device))
     if where not in ("", "forget"):
         monitor.say(mounted.save_discs(where) if discs else mounted.save(unit, where))
     elif not where:
@@ -118,13 +119,19 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
         more = tuple(rest)
     if what := absent(monitor, name):
         raise MonitorError(f"{name}: {what}")
-    if not (name.lower().startswith("dt") and name[2:].isdigit()):
+    if name.lower() in ("df", "df0"):
+        if not monitor.reels.discs:
+            raise MonitorError(_NO_DISCS.format(name))
+        toggled = bootstrap.DF32
+    elif name.lower().startswith("dt") and name[2:].isdigit():
+        unit = reels.drive(name)
+        if unit not in monitor.reels.names:
+            raise MonitorError(f"{name}: no tape is mounted; attach {name} FILE")
+        toggled = bootstrap.bootstrap(unit)
+    else:
         tapes.boot(monitor, name, *more)
         return
-    unit = reels.drive(name)
-    if unit not in monitor.reels.names:
-        raise MonitorError(f"{name}: no tape is mounted; attach {name} FILE")
-    bootstrap.boot(monitor.machine, unit)
+    bootstrap.boot(monitor.machine, toggled)
     running.run(monitor)
 
 

@@ -1,4 +1,4 @@
-"""The bootstrap of DECtape: the words to toggle in, which read the first block of a drive into core.
+"""The bootstraps of DECtape and DF32: the words to toggle in, which read the first block into core.
 
 Source: OS/8 Handbook.
 """
@@ -7,6 +7,7 @@ from pdp8.computer.machine import Machine
 
 BOOT = 0o7613
 """Where it begins."""
+DF32 = {0o7750: [0o7600, 0o6603, 0o6622, 0o5352, 0o5752]}
 _BOOT = (0o6774, 0o1222, 0o6766, 0o6771, 0o5216, 0o1223, 0o5215, 0o0600, 0o0220)
 
 
@@ -15,10 +16,11 @@ def bootstrap(unit: int = 0) -> dict[int, list[int]]:
     return {BOOT: [*_BOOT[:7], *(word | unit << 9 for word in _BOOT[7:])], 0o7754: [0o7577, 0o7577]}
 
 
-def boot(machine: Machine, unit: int = 0) -> None:
-    """Put the bootstrap for a drive into core, and START it."""
+def boot(machine: Machine, toggled: dict[int, list[int]] | None = None) -> None:
+    """Put a bootstrap into core, that of drive 0 if none is given, and START it at its first address."""
+    toggled = toggled or bootstrap()
     machine.stop()
-    for address, words in bootstrap(unit).items():
+    for address, words in toggled.items():
         machine.load(enumerate(words, address))
     machine.panel.data_field = 0
-    machine.start(BOOT)
+    machine.start(min(toggled))

@@ -30,7 +30,7 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "script").write_text("echo one\ndeposit 300 1\n")
     (tmp_path / "bin.rim").write_bytes(rim.encode(shelf.bundled_program("bin.pal").words))
     (tmp_path / "ps8.tu56").write_bytes((0o7402).to_bytes(2, "little") * dectape.BLOCKS * dectape.WORDS)
-    (tmp_path / "discs").write_bytes(bytes(0o200000))
+    (tmp_path / "discs").write_bytes((0o7402).to_bytes(2, "little") * 0o100000)
     (tmp_path / "echo.pal").write_text(ECHO)
 
 

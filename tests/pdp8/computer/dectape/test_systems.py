@@ -5,6 +5,7 @@ The images are DEC's and not here: PDP8_OS8=FOLDER names a folder with those tha
 
 import os
 import pty
+import re
 import select
 import shutil
 import time
@@ -14,12 +15,18 @@ import pytest
 
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.extension import MEMORY
-from pdp8.computer.hardware.teletype import Teletype
+from pdp8.computer.hardware.teletype import Teletype, printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.bootstrap import boot
+from pdp8.monitor.commands import do
+from pdp8.monitor.prompt import Monitor
+from tapes import os8
 from tapes.dectape import decode
 from tests.pdp8.computer.hardware.test_simh import SIMH
 
+DOCS = Path(__file__).parents[4] / "docs"
+ROW = re.compile(r"^(\w.{5})\.(\w\w) +(\d+)", re.M)
+"""A line of DIR."""
 IMAGES = Path(os.environ.get("PDP8_OS8", ""))
 SOURCE = "*200|CLA CLL|TAD L|TLS|TSF|JMP .-1|CLA|TAD M|TLS|TSF|JMP .-1|JMP I K|L, 310|M, 311|K, 7600|$|"
 PIP_ENDS, LEAVES = "\x1a", "\x03"
@@ -146,3 +153,41 @@ def test_a_session_is_typed_as_simh_types_it(name: str, size: str, tmp_path: Pat
     for (keys, ending), page in zip(session, expected[1:], strict=True):
         ours.press(keys)
         assert ours.until(ending) == page
+
+
+@pytest.mark.slow("OS/8 builds a system on a disk: minutes of 1971")
+@pytest.mark.skipif(not (IMAGES / "os8-2.tu56").exists(), reason="PDP8_OS8=FOLDER has no os8-2.tu56")
+def test_os8_builds_itself_on_a_df32_as_the_sheet_has_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By the script of docs/rack.md; the disk boots in half a second, and lists and types what was copied."""
+    script = (DOCS / "rack.md").read_text("utf-8").partition("where `df32.txt` is")[2].split("```")[1]
+    for name in ("os8.tu56", "os8-2.tu56"):
+        shutil.copy(IMAGES / name, tmp_path)
+    (tmp_path / "blank.df32").write_bytes(bytes(4 * 65_536))
+    monkeypatch.chdir(tmp_path)
+    builder = Monitor(lambda said: None)
+    for line in script.splitlines()[1:]:
+        do(builder, line)
+    assert 60 < builder.machine.elapsed < 600
+    monitor = Monitor(lambda said: None)
+    for line in (
+        *("set cpu 8k", "attach df os8.df32", "boot df", "type R PIP", 'expect "*"'),
+        *(
+            "type NEW.SV<PAL8.SV/I",
+            'expect "*"',
+            r'keyboard "\003"',
+            "expect .",
+            "type DIR",
+            'expect "BLOCKS"',
+        ),
+    ):
+        do(monitor, line)
+        if line == "boot df":
+            assert monitor.machine.elapsed < 1
+    page = printed(bytes(monitor.machine.teletype.printer.frames)).decode()
+    of_tape = os8.directory(decode((tmp_path / "os8.tu56").read_bytes())[0])
+    files = {each.name: each.length for each in of_tape if each.name}
+    files["NEW.SV"] = files["PAL8.SV"]
+    assert {f"{name.strip()}.{kind}": int(length) for name, kind, length in ROW.findall(page)} == files
+    assert f"{452 - sum(files.values())} FREE BLOCKS" in page
