@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, cast
 
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web import node, small
-from tests.pdp8.web.browsing import DESK, Chromium, Page, Tab, visit
+from tests.pdp8.web import small
+from tests.pdp8.web.browsing import DESK, Chromium, Page, Tab
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
 
@@ -23,33 +22,16 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-_BOTH = (
-    pytest.param("node", marks=node.needs_node),
-    pytest.param("chromium", marks=pytest.mark.slow("in a browser")),
-)
-_SIZE = {"width": 1366, "height": 768}
-
-
-@pytest.fixture(params=_BOTH)
+@pytest.fixture(params=small.BOTH)
 def page(request: pytest.FixtureRequest, file: Path) -> Iterator[Page]:
     """The page at the desk: on the small document in Node.js, and in Chromium."""
-    yield from _opened(request, file, DESK, has_touch=True)
+    yield from small.opened(request, file, DESK, has_touch=True)
 
 
-@pytest.fixture(params=_BOTH)
+@pytest.fixture(params=small.BOTH)
 def room(request: pytest.FixtureRequest, file: Path) -> Iterator[Page]:
     """The page as it opens, in the room, in both."""
-    yield from _opened(request, file, "")
-
-
-def _opened(request: pytest.FixtureRequest, file: Path, end: str, **options: Any) -> Iterator[Page]:
-    if request.param == "node":
-        with small.visit(file, end) as made:
-            yield cast("Page", made)
-        return
-    browser = request.getfixturevalue("browser")
-    with visit(browser, file.as_uri() + end, viewport=_SIZE, **options) as page:
-        yield page
+    yield from small.opened(request, file, "")
 
 
 @pytest.fixture(scope="session")

@@ -322,6 +322,13 @@ export class Element extends Node {
       this.form?.requestSubmit();
     } else if (/^(button|summary|a)$/.test(this.localName) && (key === "Enter" || key === " ")) this.click();
     else if (this.type === "checkbox" && key === " ") this.click();
+    const beside = { ArrowRight: 1, ArrowLeft: -1 }[key];
+    if (this.type === "radio" && beside) {
+      const all = document.querySelectorAll(`input[name="${this.name}"]`);
+      const next = all.at((all.indexOf(this) + beside) % all.length);
+      next.focus();
+      next.click();
+    }
   }
   commit() {
     if (this.edited) this.emit("change");

@@ -12,11 +12,31 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
 
-from tests.pdp8.web import node
+import pytest
+
+from tests.pdp8.web import browsing, node
 from tests.pdp8.web.browsing import Page, until
 
 LONGEST = 120
 """Seconds in which an answer comes; more is a loop that does not end."""
+
+
+BOTH = (
+    pytest.param("node", marks=node.needs_node),
+    pytest.param("chromium", marks=pytest.mark.slow("in a browser")),
+)
+"""The parameters of a fixture that is `opened`."""
+
+
+def opened(request: pytest.FixtureRequest, file: Path, end: str, **options: Any) -> Iterator[Page]:
+    """A page on the small document, or in Chromium, as the parameter says."""
+    if request.param == "node":
+        with visit(file, end) as made:
+            yield cast("Page", made)
+        return
+    options = {"viewport": {"width": 1366, "height": 768}} | options
+    with browsing.visit(request.getfixturevalue("browser"), file.as_uri() + end, **options) as page:
+        yield page
 
 
 @contextmanager
@@ -263,11 +283,11 @@ class Locator:
     def check(self) -> None:
         self._at_hand("(it) => it.checked || it.click()")
 
-    def select_option(self, value: str = "", label: str = "") -> None:
+    def select_option(self, value: str = "", label: str = "", index: int = -1) -> None:
         self._at_hand(
-            "(it, [value, label]) => it.choose(it.options.find((each) =>"
-            " label ? each.label.trim() === label : each.value === value).value)",
-            [value, label],
+            "(it, [value, label, index]) => it.choose((it.options[index] ?? it.options.find((each) =>"
+            " label ? each.label.trim() === label : each.value === value)).value)",
+            [value, label, index],
         )
 
     def count(self) -> int:

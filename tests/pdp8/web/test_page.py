@@ -9,22 +9,16 @@ import pytest
 
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.replay import Afternoon, clock
-from tests.pdp8.web.browsing import DESK, Browser, Page, click, until, visit
+from tests.pdp8.web import small
+from tests.pdp8.web.browsing import DESK, Page, click, in_chromium, until
 from tests.pdp8.web.follower import Follower, state
 from tests.pdp8.web.node import plain
 
 
-@pytest.fixture
-def page(browser: Browser, circle_page: Path) -> Iterator[Page]:
-    """The circle's page on a projector."""
-    start = circle_page.as_uri() + DESK + "&t=0"
-    with visit(
-        browser,
-        start,
-        "window.workbench?.ready && workbench.afternoon.on",
-        viewport={"width": 1280, "height": 720},
-    ) as page:
-        yield page
+@pytest.fixture(params=small.BOTH)
+def page(request: pytest.FixtureRequest, circle_page: Path) -> Iterator[Page]:
+    """The circle's page, on a projector or on the small document."""
+    yield from small.opened(request, circle_page, DESK + "&t=0", viewport={"width": 1280, "height": 720})
 
 
 def _now(page: Page) -> int:
@@ -170,6 +164,7 @@ _LIVE = """() => {  // as at the first visit
 }"""
 
 
+@in_chromium
 @pytest.mark.slow("six sizes of screen, 5 s")
 def test_it_fits_from_a_telephone_to_a_projector(page: Page, circle: Afternoon) -> None:
     """In every act and on every tab nothing is cut off; targets have 24 pixels, letters 11."""
@@ -188,7 +183,7 @@ def test_it_fits_from_a_telephone_to_a_projector(page: Page, circle: Afternoon) 
 def test_the_address_names_the_instant(page: Page) -> None:
     """It follows, and leads to it when it is changed; nonsense does no harm. The panel says its lamps."""
     _go(page, 10**10)
-    page.wait_for_url("**#workbench&t=500")
+    until(page, "location.hash === '#workbench&t=500'")
     for address in (f"{DESK}&t=1000.5", f"{DESK}&t=1.2.3"):
         page.evaluate(
             "(address) => new Promise((done) => { location.hash = address;"
@@ -208,6 +203,7 @@ _HIDDEN = """(hidden) => {
 }"""
 
 
+@in_chromium
 def test_a_page_that_slept_does_not_jump(page: Page) -> None:
     """A picture stands for a quarter of a second at most, and a page that is hidden pauses."""
     page.clock.install(time=0)
@@ -275,6 +271,7 @@ def test_taken_over_and_brought_back(page: Page, circle: Afternoon) -> None:
     assert page.locator("#core input").first.input_value() == f"{circle.programs['eia.pal'].words[0o200]:04o}"
 
 
+@in_chromium
 def test_who_takes_over_has_all_of_the_machine(page: Page, circle: Afternoon) -> None:
     """A play waits while the slider is dragged.
 
@@ -324,6 +321,7 @@ _HASTE = """(() => {  // 10 ms pass at every look at the clock; what is done fro
 })()"""
 
 
+@in_chromium
 def test_no_task_is_long(page: Page, circle: Afternoon) -> None:
     """By a clock on which all is late, the page has its turn after a unit or two of play, of run."""
     page.add_init_script(_HASTE)
