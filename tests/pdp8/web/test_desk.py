@@ -52,6 +52,32 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
+def test_a_source_goes_by_its_name_in_either_case(page: Page) -> None:
+    for name in ("MINE.PAL", "mine.txt", "Mine.Pa"):
+        _drop(page, name, HALT)
+        until(page, f"workbench.editor.name === {name!r}")
+        assert page.evaluate("workbench.editor.text") == HALT
+
+
+_PASTED = """(length) => {
+  const source = document.getElementById("source"), text = "A\\r\\n".repeat(length / 2);
+  const pasted = new Event("paste", { cancelable: true });
+  pasted.clipboardData = { getData: () => text };
+  source.setSelectionRange(1, 3);
+  source.dispatchEvent(pasted);
+  return [pasted.defaultPrevented, source.value.length, source.value.slice(0, 4), source.selectionStart];
+}"""
+
+
+def test_a_long_text_is_pasted_at_once(page: Page) -> None:
+    """Where the selection was; a short one by the browser, and one that is too long not at all."""
+    page.locator("#source").fill(HALT)
+    assert page.evaluate(_PASTED, 1998) == [False, len(HALT), HALT[:4], 1]
+    assert page.evaluate(_PASTED, 2000) == [True, len(HALT) - 2 + 2000, "*A\nA", 2001]
+    assert page.evaluate(_PASTED, 200_000)[1] == len(HALT) - 2 + 2000
+    assert "200\u202f000 are allowed" in page.locator("#next").inner_text()
+
+
 def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
     """The later one says so and keeps both; a third that only looks writes nothing."""
     page.evaluate("(text) => workbench.editor.put('mine.pal', text)", HALT)
@@ -355,8 +381,10 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     click(page, "#part-punch")
     until(page, f"{says}('blocks: circle 2.asc')")
     until(page, "workbench.machine.teletype.reader.position > 15")
+    page.evaluate("workbench.machine.watch.breakpoints.add(0o210)")
     click(page, "#part-translate")
     until(page, "!document.getElementById('part-cut').disabled")
+    assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [], "it was another program's"
     click(page, "#part-cut")
     assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
