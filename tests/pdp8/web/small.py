@@ -296,6 +296,9 @@ class Locator:
     def is_visible(self) -> bool:
         return bool(self.evaluate_all("(all) => all.some((each) => each.checkVisibility())"))
 
+    def is_hidden(self) -> bool:
+        return not self.is_visible()
+
     def inner_text(self) -> str:
         return str(self.evaluate("(it) => it.innerText"))
 

@@ -8,40 +8,40 @@ import pytest
 from pdp8.computer.use.bootstrap import boot
 from tapes.dectape import decode
 from tests.pdp8.computer.dectape import reel
-from tests.pdp8.web.browsing import DESK, Browser, click, until, visit
+from tests.pdp8.web.browsing import DESK, Browser, Page, click, until, visit
 
 P = "workbench.machine.processor"
 SYSTEM = Path(os.environ.get("PDP8_OS8", "")) / "ps8.tu56"
 
 
-def test_a_reel_boots_in_the_ticks_of_python(browser: Browser, file: Path, tmp_path: Path) -> None:
+def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None:
     made, _ = reel.machine(0o20000)
     boot(made)
     made.run(10)
     assert made.teletype.printer.frames == b"\xcf\xcb"
-    with visit(browser, file.as_uri() + DESK) as page:
-        assert page.evaluate("workbench.machine.memory") == 0o10000
-        page.set_input_files("#file", reel.file(tmp_path / "own.tu56"))
-        until(page, "workbench.why.includes('Boot drive 0')")
-        click(page, "#boot-reel")
-        until(page, "workbench.why.startsWith('HLT')")
-        assert page.locator("#paper").inner_text().strip() == "OK"
-        assert page.evaluate(f"[{P}.clock, {P}.pc, {P}.lac]") == [
-            made.processor.clock,
-            made.processor.pc,
-            made.processor.lac,
-        ]
-        row = page.get_by_role("group", name="Drive 0")
-        assert row.inner_text().startswith("0: own.tu56, block 00")
-        page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
-        with page.expect_download() as saved:
-            row.get_by_role("button", name="Save the reel").click()
-        image, _ = decode(Path(saved.value.path()).read_bytes())
-        assert [image.words[129 * 5 + at] for at in (0, 1, 2)] == [5, 0o1234, 5]
-        page.reload()
-        until(page, "!!window.workbench?.ready")
-        assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]
-        assert row.is_hidden()  # a reel is too large to be kept
+    assert page.evaluate("workbench.machine.memory") == 0o10000
+    frames = [*Path(reel.file(tmp_path / "own.tu56")).read_bytes()]
+    page.evaluate("(all) => void workbench.take(new File([new Uint8Array(all)], 'own.tu56'))", frames)
+    until(page, "workbench.why.includes('Boot drive 0')")
+    click(page, "#boot-reel")
+    until(page, "workbench.why.startsWith('HLT')")
+    assert page.locator("#paper").inner_text().strip() == "OK"
+    assert page.evaluate(f"[{P}.clock, {P}.pc, {P}.lac]") == [
+        made.processor.clock,
+        made.processor.pc,
+        made.processor.lac,
+    ]
+    row = page.locator("[aria-label='Drive 0']")
+    assert row.inner_text().startswith("0: own.tu56, block 00")
+    page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
+    with page.expect_download() as saved:
+        page.locator("[aria-label='Drive 0'] [data-click='drives.save']").click()
+    image, _ = decode(Path(saved.value.path()).read_bytes())
+    assert [image.words[129 * 5 + at] for at in (0, 1, 2)] == [5, 0o1234, 5]
+    page.reload()
+    until(page, "!!window.workbench?.ready")
+    assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]
+    assert row.is_hidden()  # a reel is too large to be kept
 
 
 def test_a_file_that_is_no_reel_changes_nothing(browser: Browser, file: Path, tmp_path: Path) -> None:

@@ -49,6 +49,9 @@ _FIGURE = """async ([name, wide]) => {
   const look = () => {
     figure.now();
     seen.push(figure.svg.getAttribute("viewBox"), figure.svg.innerHTML, figure.said.innerText);
+    for (const [name, { x = 90, y = 80, to }] of Object.entries(figure.holds)) {
+      seen.push(name, to({ x: x + 9, y: y - 8, dx: 9, dy: -8, start: 40 }).toPrecision(6));
+    }
     seen.push(...figure.inputs.map((input) => input.parentElement.innerText));
   };
   look();
