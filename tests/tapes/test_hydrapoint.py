@@ -104,3 +104,10 @@ def test_a_spreadsheets_program(text: str, said: str) -> None:
 
 def test_other_columns_are_no_program() -> None:
     assert hydrapoint.typed("1,2,3,4,5,6,7\n1.5,2,3,4,5,6,70\n") is None
+
+
+def test_more_than_half_of_the_lines_of_a_program_are_blocks() -> None:
+    block = "0010000000000003588\n"
+    assert hydrapoint.typed(f"{block}XY\n") is None
+    with pytest.raises(TextError, match="'XY' is no block"):
+        hydrapoint.typed(f"{block}{block}XY\n")

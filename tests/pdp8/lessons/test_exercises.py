@@ -12,6 +12,7 @@ import pytest
 import pal
 from pdp8 import shelf
 from pdp8.lessons import form, handed, proof, values
+from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.exercises import delay, loader, short_block, step_wise
 from pdp8.lessons.form import parse
@@ -254,3 +255,9 @@ def test_an_exercise_that_wants_one_way_of_writing_is_found_out() -> None:
     assert not {"7402 for HLT", "CLL CLA for CLA"} & set(ways)
     refused = parse(text.replace('core={A=5, B=0, "0310"=0}', 'core={"0206"=5}'), "e")
     assert not dict((how, result.right) for how, result in proof.restated(refused))["at another place"]
+
+
+def test_a_tag_with_an_offset_is_an_address_of_12_bits() -> None:
+    answer = Answer("a.pal", symbols={"A": 0, "B": 0o7777})
+    places = {"A": 0, "A+2": 2, "A-1": 0o7777, "B": 0o7777, "B+1": 0, "17": 0o17}
+    assert {place: answer.address(place) for place in places} == places

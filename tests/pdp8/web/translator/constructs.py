@@ -363,3 +363,25 @@ def library() -> Any:
         [*zip("ab", [1, 2], strict=True)], [*enumerate("a", 3)], divmod(-7, 2), sqrt(3.0), min([4, 2]), sum([0.5, 1]),
         list(array("H", [1, 2])), getattr(points[0], "x"), abs(-2.5),
     ]  # fmt: skip
+
+
+def _chosen(a: int, b: int) -> str:
+    if a == 1:
+        return "a 1"
+    elif a == 2:
+        return "a 2"
+    elif a == 3:
+        return "a 3"
+    elif a == 4:
+        return "a 4"
+    elif a == 5:
+        return "a 5"
+    elif b == 6:
+        return "b 6"
+    else:
+        return "none"
+
+
+def cases_of_two_names() -> list[str]:
+    """The last case is of the other name."""
+    return [_chosen(1, 6), _chosen(5, 0), _chosen(6, 0), _chosen(0, 6), _chosen(0, 0)]
