@@ -65,7 +65,7 @@ _OTHERS = {
     rb"<": "XML or SVG: export the points as CSV",
     rb"%PDF": "a PDF: export the points as CSV",
     rb"0\s*\r?\n\s*SECTION": "a DXF drawing: export the points as CSV",
-    rb"(?s:.*\n)?v[ \t]+[-+.\d][^\n]*\n(?s:.*\n)?[lf] ": "a mesh of Wavefront (OBJ): export the points as CSV",
+    rb"(?s:.*\n)?v[ \t]+[-+.\d][^\n]*\n(?s:.*\n)?[lf] ": "a mesh (OBJ): export the points as CSV",
 }
 _LISTED = 10
 """Points at least in each of two lists (Lednicer's airfoils), the numbers of which are above them."""

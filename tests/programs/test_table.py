@@ -124,7 +124,7 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),
         ("  0\nSECTION\n", "it is a DXF drawing: export the points as CSV"),
-        ("# O\no C\nv 0 0 0\nv 1 1 0\nl 1 2\n", "it is a mesh of Wavefront (OBJ): export the points as CSV"),
+        ("# O\no C\nv 0 0 0\nv 1 1 0\nl 1 2\n", "it is a mesh (OBJ): export the points as CSV"),
         ("", "no points: x and y are needed on each line"),
     ],
 )
