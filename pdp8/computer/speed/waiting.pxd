@@ -16,6 +16,7 @@ cdef class Waiting:
     cdef public Processor processor
     cdef public bint endless, stepping, turn_first
     cdef public int pc, lac, tries, sr, mem_prot, ion
+    cdef int varies
     cdef public int64_t next_look, actions, clock, instructions, quiet_until, writes
     cdef public object core, left, marks
     cdef unsigned short[::1] _words
@@ -29,7 +30,9 @@ cdef class Waiting:
     cdef bint _waits_for_flag(self, int64_t until, int64_t last) except -1
     @cython.locals(still=bint)
     cdef int _look_anywhere(self) except -1
+    @cython.locals(p=Processor)
     cdef bint _unchanged(self) except -1
+    cdef int _find(self, unsigned short[::1] old) except -1
     cdef int _compare(self, int64_t until, int64_t last) except -1
     @cython.locals(ticks=int64_t, count=int64_t, event=int64_t)
     cdef int _pass_turns(self, int64_t until, int64_t last) except -1

@@ -100,6 +100,8 @@ class Waiting:
         """The breakpoints of the last run, two frames of six bits each: no turn with one is passed over."""
         self.left = Left(processor)
         self._words = processor.core
+        self.varies = 0
+        """The word that was seen to have changed: it is compared before all of core."""
         self._remember()
 
     def _remember(self) -> None:
@@ -171,8 +173,20 @@ class Waiting:
 
     def _unchanged(self) -> bool:
         """Whether core is as remembered: words were possibly written, but with the values that they had."""
-        p = self.processor
-        return p.writes == self.writes or (self.core is not None and p.core == self.core)
+        p, old = self.processor, self.core
+        if p.writes == self.writes or old is None:
+            return p.writes == self.writes
+        if self._words[self.varies] != old[self.varies]:
+            return False
+        if p.core == old:
+            return True
+        self._find(old)
+        return False
+
+    def _find(self, old: "array[int]") -> None:
+        """Find a word that has changed."""
+        while self._words[self.varies] == old[self.varies]:
+            self.varies = self.varies + 1 & len(old) - 1
 
     def _compare(self, until: int, last: int) -> None:
         p = self.processor

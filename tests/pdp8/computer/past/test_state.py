@@ -68,7 +68,7 @@ def test_every_attribute_of_a_device_is_in_its_fields_or_fixed() -> None:
     """A plain machine has a dictionary of attributes: what `fields` leave out is wired, or not of the run."""
     fixed = {"code", "behind", "bus", "device", "processor", "on_frame", "more", *PARTS}
     fixed |= {"extension", "has_breaks", "enabled", "stored", "core", "_core", "forms", "_words", "first"}
-    fixed |= {"endless", "turn_first", "iot"}
+    fixed |= {"endless", "turn_first", "iot", "varies"}
     m = machine_module("plain").Machine()
     m.fit(m.highspeed)
     parts = [m.processor, m.bus, m.waiting, m.waiting.left, *m.bus]
