@@ -32,7 +32,7 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
         made.processor.lac,
     ]
     row = page.locator("[aria-label='Drive 0']")
-    assert row.inner_text().startswith("0: own.tu56, block 00")
+    assert row.inner_text().strip().startswith("0: own.tu56, block 00")
     page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
     with page.expect_download() as saved:
         page.locator("[aria-label='Drive 0'] [data-click='drives.save']").click()
