@@ -36,7 +36,7 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
     with page.expect_download() as saved:
         page.locator("[aria-label='Drive 0'] [data-click='drives.save']").click()
-    image, _ = decode(Path(saved.value.path()).read_bytes())
+    image, _ = decode(saved.value.path().read_bytes())
     assert [image.words[129 * 5 + at] for at in (0, 1, 2)] == [5, 0o1234, 5]
     page.reload()
     until(page, "!!window.workbench?.ready")
