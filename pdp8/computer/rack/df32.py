@@ -2,7 +2,7 @@
 
     60   DCMA 1  address and flags 0      DMAR 2  read, DMAW 4  write: address <- it or AC, AC <- 0
     61   DCEA 1  extension and field 0    DSAC 2  skip if the disc is at the address
-         DEAL 5  extension and field <- AC 1-8                    DEAC 6  AC <- status
+         DEAL 5  extension and field <- AC 1-8 (4: or)            DEAC 6  AC <- status
     62   DFSE 1  skip if no error         DFSC 2  skip if done    DMAC 6  AC <- address
 
     status    photocell 4000 | extension 3700 | field 70 | data late 4 | write lock or no disc 2 | parity 1
@@ -119,7 +119,7 @@ class DF32(BreakDevice):
             return photocell | self.at >> 6 & 0o3700 | self.field >> 9 | self.status
         else:
             self.at |= (ac & 0o3700) << 6
-            self.field = (ac & 0o70) << 9
+            self.field |= (ac & 0o70) << 9
         return 0
 
     def pulse_flags(self, iop: int, iot: int) -> int:
@@ -175,8 +175,9 @@ class DF32(BreakDevice):
         return self.buffer
 
     def take(self, word: int, now: int) -> None:
-        """Write the word."""
-        self.words[self.at] = word
+        """Write the word, unless the program has changed the address to a missing disc meanwhile."""
+        if self.at < len(self.words):
+            self.words[self.at] = word
         self._next(now)
 
     def _next(self, now: int) -> None:
