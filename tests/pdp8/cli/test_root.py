@@ -121,5 +121,6 @@ def test_every_option_tells_what_it_takes_in_its_metavar() -> None:
 def test_an_option_means_the_same_in_every_command() -> None:
     metavars = {"--feed-code": {"CODE"}, "--feed-error": {"PERCENT"}, "--from": {"FRAME", "INCHES"}}
     for name, expected in {**metavars, "--cutter": {"INCHES"}}.items():
-        assert {option.metavar for _, option in OPTIONS if name in option.opts} == expected
+        found = [option for _, option in OPTIONS if name in option.opts]
+        assert {option.metavar or option.type.name.upper() for option in found} == expected
     assert all(option.opts == ["-o", "--out"] for _, option in OPTIONS if "-o" in option.opts)

@@ -10,6 +10,8 @@ from tests.pdp8.web import small
 from tests.pdp8.web.browsing import DESK, Chromium, Page, Tab
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
+_BROWSERS = ("chromium", "firefox")
+
 
 @pytest.fixture(scope="session")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -43,14 +45,16 @@ def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
         yield driver
 
 
-@pytest.fixture(params=["chromium", pytest.param("firefox", marks=pytest.mark.slow)])
-def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Tab:
-    """The workbench as it opens, in each browser; Firefox, which takes seconds for each, in `make check`."""
+@pytest.fixture(params=[pytest.param(name, marks=pytest.mark.slow("in a browser")) for name in _BROWSERS])
+def tab(request: pytest.FixtureRequest, file: Path, tmp_path: Path) -> Iterator[Tab]:
+    """The workbench as it opens, in each browser."""
     if request.param == "chromium":
-        return Chromium(request.getfixturevalue("page"))
+        for page in small.opened(request, file, DESK, has_touch=True):
+            yield Chromium(page)
+        return
     driver: Firefox = request.getfixturevalue("firefox")
     fresh = tmp_path / file.name  # at another path Firefox has nothing kept: no programs, no settings
     fresh.write_bytes(file.read_bytes())
     driver.call("WebDriver:Navigate", url=fresh.as_uri() + DESK)
     driver.until(f"location.href.startsWith({fresh.as_uri()!r}) && window.workbench?.ready")
-    return driver
+    yield driver

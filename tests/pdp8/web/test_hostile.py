@@ -138,7 +138,7 @@ def test_what_is_typed_and_kept(page: Page) -> None:
       for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
     })"""
     page.locator("input[type=text], textarea").evaluate_all(typed, HOSTILE)
-    for button in ("#run-it", "#part .go", "#new-program", "#delete-program"):
+    for button in ("#run-it", "#part-punch", "#new-program", "#delete-program"):
         page.locator(button).evaluate("(button) => button.click()")
         _clean(page)
     page.evaluate("(name) => localStorage.setItem(`pdp8 program: ${name}`, name)", HOSTILE)
