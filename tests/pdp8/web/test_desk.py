@@ -320,6 +320,7 @@ def test_counts_and_the_current_line(page: Page) -> None:
     assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
 
 
+@in_chromium
 def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
     """Another browser opens it; a bundled tape goes by its name, so it is short; foreign text stays text.
 

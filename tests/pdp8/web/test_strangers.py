@@ -39,8 +39,9 @@ def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
     """A program that is not run: that is seen beside what the afternoon says."""
     page.evaluate("workbench.afternoon.go(6e10)")
     _run(page, "*200\n\tTAD FIVEX\n\tHLT\n$\n")
-    assert page.evaluate("document.getElementById('said').className") == ""
-    assert "Not run: line 2, undefined" in page.evaluate("document.getElementById('said').textContent")
+    said = "document.getElementById('said')"
+    until(page, f"{said}.textContent.includes('Not run: line 2, undefined')")
+    assert page.evaluate(f"{said}.className") == ""
     assert page.evaluate("workbench.afternoon.on")
 
 
