@@ -110,8 +110,8 @@ _OBSERVED = """() => {  // before the page's own scripts
     show(now);
     window.taken.push(performance.now() - began);
     const { script } = window.workbench?.afternoon ?? {};
-    if (script?.now > window.first) window.moved ??= performance.now();
-    window.first ??= script?.now;
+    if (script?.now > window.earliest) window.moved ??= performance.now();
+    window.earliest ??= script?.now; // an id of the page would be in window too
   });
 }"""
 _LONG = """() => {
