@@ -202,8 +202,8 @@ class _Table:
             first = next((row for row in rows if re.search(r"\d", row.text)), None)
             where = f"line {first.number}: {first.text.strip()[:60]!r}: " if first else ""
             raise WorkError(f"{where}no points: x and y are needed on each line")
-        told = [value[0] for value in self._rows[0].values if value]
-        if min(told) >= _LISTED and sum(told) == len(self._rows) - 1:
+        counts = [value[0] for value in self._rows[0].values if value]
+        if min(counts) >= _LISTED and sum(counts) == len(self._rows) - 1:
             raise self._rows[0].error("so many points in two lists: make them one, around the outline")
         odd = [row for row in self._rows if row.values[0] is None]
         if len(odd) == 1 < len(self._rows) - 2:  # such as a sum

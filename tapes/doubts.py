@@ -9,7 +9,7 @@ A rule that more than one frame in ten breaks is none.
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from tapes import codes
@@ -39,10 +39,12 @@ class Doubt(NamedTuple):
         return f"frame {self.frame}: {self.said}"
 
 
-def find(frames: bytes, code: Code | None = None) -> list[Doubt]:
-    """Return the doubtful frames of a tape in `code`, which is recognised if it is not given."""
+def find(
+    frames: bytes, code: Code | None = None, parts: Sequence[tuple[range, Code]] | None = None
+) -> list[Doubt]:
+    """Return the doubtful frames of a tape in `code`, with `others` in it; what is not given is found."""
     code = code or codes.recognise(frames)
-    parts = others(frames, code)
+    parts = others(frames, code) if parts is None else parts
     found = [_other(part, frames[part.start], other, code) for part, other in parts]
     rule = code.rule(frames)
     if rule is None:

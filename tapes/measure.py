@@ -19,8 +19,8 @@ _INTERRUPTED = re.compile(rb"(?<=[^\0\n\r\x7f\x80\x8a\x8d\xff])\0+(?=[^\0])")
 def report(tape: bytes) -> list[Row]:
     """Return what there is to say of the tape, as (name, value) in the order of interest."""
     code = codes.recognise(tape)
-    others = [part for part, _ in doubts.others(tape, code)]
-    found = doubts.find(tape, code)
+    others = doubts.others(tape, code)
+    found = doubts.find(tape, code, others)
     way = redundancy.turned(tape)
     control = controls.other_control(tape, code)
     pieces = frames.strip(tape, code.leader())
@@ -48,9 +48,9 @@ def _blanks(tape: bytes) -> Iterator[Row]:
         yield "blank", f"{first}{more}"
 
 
-def _labels(tape: bytes, code: Code, others: Sequence[range]) -> Iterator[Row]:
+def _labels(tape: bytes, code: Code, others: Sequence[tuple[range, Code]]) -> Iterator[Row]:
     for label in code.labels(tape):
-        if any(part.start in label for part in others):
+        if any(part.start in label for part, _ in others):
             continue
         said = title.read(tape[label.start : label.stop])
         called = f", {said!r}" if said else ""

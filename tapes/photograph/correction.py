@@ -96,9 +96,10 @@ class Reading:
             else:
                 yield from (self._doubt(*one) for one in group if one[1].doubtful)
         yield from self._of_strips()
-        doubtful = sum(frame.doubtful for _, frame, _ in self.frames)
-        if doubtful and not any(frame.holes for _, frame, _ in self.frames if not frame.doubtful):
-            yield f"{len(self.tape):,} frames: {doubtful} are doubtful, the others blank"
+        sure = [frame.holes for _, frame, _ in self.frames if not frame.doubtful]
+        doubtful = len(self.seen) - len(sure)
+        if doubtful and not any(sure):
+            yield f"{len(self.seen):,} frames: {doubtful} are doubtful, the others blank"
             return
         said = measure.report(self.tape)
         yield f"{len(self.tape):,} frames: {said[0][1]}"

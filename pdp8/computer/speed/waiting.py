@@ -174,9 +174,9 @@ class Waiting:
     def _unchanged(self) -> bool:
         """Whether core is as remembered: words were possibly written, but with the values that they had."""
         p, old = self.processor, self.core
-        if p.writes == self.writes or old is None:
-            return p.writes == self.writes
-        if self._words[self.varies] != old[self.varies]:
+        if p.writes == self.writes:
+            return True
+        if old is None or self._words[self.varies] != old[self.varies]:
             return False
         if p.core == old:
             return True

@@ -1,7 +1,7 @@
 """Calls: of our own functions and classes, and of what library.pyi has of Python's.
 
 A function's `*args` are one array, its `**kwargs` one Dict; keyword arguments take the places of the
-function's parameters. What an argument of Python's own functions must be besides its type is marked in
+function's parameters. What an argument of Python's own functions must be beside its type is marked in
 library.pyi: `Ordered[...]`, `Literal[...]`.
 """
 

@@ -189,7 +189,7 @@ class Types:
         return join(*kinds) if UNSEEN in kinds[0].of else kinds[0]
 
     def ours(self, kind: Type) -> Found | None:
-        """Return the class of ours that `kind` is, if it is one."""
+        """Return the class of the sources that `kind` is, None for any other type."""
         of = self.program.classes.get(kind.name)
         return of if of and of.ours else None
 

@@ -284,7 +284,7 @@ class Program:
         return next((Found(each, each.defined[real]) for each in inside if real in each.defined), None)
 
     def variants(self, of: Found) -> list[Found]:
-        """Return the forms of a function: all in the table, of ours the overloaded ones, or itself."""
+        """Return the forms of a function: itself, or all that library.pyi or `@overload` gives it."""
         if of.node not in self.overloaded:
             top = of.module.tree.body
             bodies = [top, *(each.body for each in top if isinstance(each, ast.ClassDef))]
