@@ -152,13 +152,18 @@ export class Afternoon {
 
   /** The instant stands still: say it to who listens, and let the address name it. */
   #say() {
-    clearTimeout(this.saying);
+    this.hush();
     this.saying = setTimeout(() => {
       if (!this.on) return;
       const { now, act } = this.script;
       this.bench.tell(`${clock(now)}, ${act.name}. ${this.bench.switches.panel.words}`);
       readdress(`${DESK}&t=${now / SECOND}`);
     }, 150);
+  }
+
+  /** Leave unsaid what would hide another sentence. */
+  hush() {
+    clearTimeout(this.saying);
   }
 
   play(/** @type {boolean} */ on) {

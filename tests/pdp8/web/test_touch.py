@@ -243,6 +243,7 @@ def test_what_the_desk_says_next(page: Page, browser: Browser, file: Path) -> No
     page.keyboard.type("A")
     _offers(page, "HLT at 0204. START begins at 0205", *stopped)
     until(page, "document.querySelector('#paper pre').textContent.endsWith('A')")
+    until(page, "!workbench.clock.pictures.running")  # the printer is at rest: no more time passes
     click(page, "#computer [data-key='sing step']")
     _offers(page, "START begins at 0205, CONT does one cycle.", *stopped)
     for key, address in (("START", 0o205), ("CONT", 0)):  # AND 0: fetched, then executed
