@@ -2,7 +2,9 @@
 
 import os
 
+WHOLE = bool(os.environ.get("WHOLE"))
+
 
 def some(count: int) -> int:
     """Return `count` if the whole is asked for, else a tenth of it."""
-    return count if os.environ.get("WHOLE") else count // 10
+    return count if WHOLE else count // 10

@@ -97,12 +97,12 @@ def _odd(draw: random.Random, source: str) -> str:
 
 
 @needs_node
-@pytest.mark.slow("marks a thousand answers twice by WHOLE=1")
+@pytest.mark.slow("marks 500 answers twice by WHOLE=1")
 def test_odd_characters_and_line_ends_have_the_same_marks() -> None:
     draw = random.Random(53)
     wholes = [form.read(name) for name in form.bundled()]
     exercises = [(each, student.whole(each)) for each in wholes]
-    answers = [(*draw.choice(exercises),) for _ in range(some(1000))]
+    answers = [(*draw.choice(exercises),) for _ in range(some(500))]
     sources = [_odd(draw, exercise.solution) for exercise, _ in answers]
     asked = zip(answers, sources, strict=True)
     there = called(

@@ -42,8 +42,10 @@ _GROUPS = 5
 """The page is opened at so many sizes; from each the window becomes others."""
 
 
-@pytest.mark.slow("forty windows, in each the room, the panel, the tape, and the desk's tabs, 1 min")
-@pytest.mark.parametrize("group", range(_GROUPS))
+@pytest.mark.slow("24 windows, in each the room, the panel, the tape, and the desk's tabs; 40 by WHOLE=1")
+@pytest.mark.parametrize(
+    "group", [*range(3), *(pytest.param(n, marks=pytest.mark.rare("30 s each")) for n in range(3, _GROUPS))]
+)
 def test_nothing_is_out_of_reach(browser: Browser, file: Path, group: int) -> None:
     """In the story, at the taken panel, while one types, beside the tape, and at each tab of the desk."""
     sizes = _SIZES[group::_GROUPS]
