@@ -77,6 +77,8 @@ export class Mill {
     this.drawing = this.steps.length ? contour(this.path, this.bench.record.cutter, band) : null;
     this.milled = this.drawing && new Plate(this.path.knots, this.drawing.diameter, this.drawing.bounds, FINE, false);
     find("eia").value = name;
+    find("save-cut").toggleAttribute("disabled", false);
+    find("run-mill").toggleAttribute("disabled", !this.drawing);
     put(find("blocks"), html`<ol>${this.steps.map((step) => row(step))}</ol>`);
     this.line = null;
     this.rows = [...find("blocks").querySelectorAll("li")];
@@ -109,6 +111,10 @@ export class Mill {
   #picture(/** @type {number} */ passed) {
     this.#go(Math.min(1, this.part + passed / 1000 / TAKES));
     return this.part < 1;
+  }
+
+  save() {
+    this.bench.download(this.name.replace(/(\.eia)?$/, ".eia"), Uint8Array.from(this.tape.frames));
   }
 
   /** How many blocks were cut, and how long it takes. */

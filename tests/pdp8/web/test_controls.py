@@ -180,6 +180,7 @@ CONTROLS = {
     "#at": Control("workbench.mill.part", CUT, "ArrowLeft"),
     "#tolerance": Control("workbench.mill.asked?.[0]", CUT, "ArrowRight"),
     "#run-mill": Control("workbench.mill.part", CUT),
+    "#save-cut": Control("window.saved", CUT + SAVED),
     "#blocks": Control(
         of("#blocks", "scrollTop"), f"{CUT} document.getElementById('blocks').scrollTop = 0;", "PageDown"
     ),
