@@ -1,7 +1,7 @@
 """One run of PAL8: pass 1 defines the symbols, pass 2 writes the words with the final values.
 
 Not emulated: /B, /E, /F, /O; the limit on symbols; literals below a bound that words have pushed up, for
-which DEC's searches all memory; the value that an expunged name keeps.
+which DEC's searches all memory.
 
 Sources: DEC's PAL8 V10D; PAL8.PA (V13, 1975).
 """

@@ -20,6 +20,7 @@ cdef class SymbolTable:
     cdef Log _log
     cdef bint _exact
     cdef set _early
+    cdef dict _left
     cdef public dict known
     cdef public Symbol found
     cdef public int found_at, last, undefined

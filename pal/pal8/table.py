@@ -40,6 +40,7 @@ class SymbolTable:
         self._log = log
         self._exact = exact
         self._early: set[str] = set()  # names that are used before they are defined
+        self._left: dict[str, int] = {}  # the values of expunged names: DEC's forgets only that they are defined
         self.known = _permanent()
         self.found = Symbol("", PLAIN, 0, False)
         self.found_at = 0
@@ -54,7 +55,7 @@ class SymbolTable:
         self.found_at = self._lexer.start
         found = self.known.get(name)
         self.is_undefined = found is None
-        self.found = Symbol(name, PLAIN, 0, False) if found is None else found
+        self.found = Symbol(name, PLAIN, self._left.get(name, 0), False) if found is None else found
         self.last = self.found.value
         self._lexer.advance()
 
@@ -121,6 +122,7 @@ class SymbolTable:
     def expunge(self) -> None:
         """Forget all symbols but the pseudo-operators, I and Z."""
         self.expunged = True
+        self._left |= {name: symbol.value for name, symbol in self.known.items()}
         kept = [symbol for symbol in self.known.values() if symbol.kind in (MARK, PSEUDO)]
         self.known = {symbol.name[:SIGNIFICANT]: symbol for symbol in kept}
         self._take(Symbol("", PLAIN, 0, False))

@@ -133,8 +133,8 @@ def _path(name: str, path: str) -> str:
 
 
 def _scope(name: str, text: str) -> str:
-    """Return `text` as a constant that contains its exports."""
-    exported = ", ".join(exports(text))
+    """Return `text` as a constant that contains its exports; private names stay within."""
+    exported = ", ".join(each for each in exports(text) if not each.startswith("_"))
     return f"const {_identifier(name)} = (() => {{\n{_body(name, text)}\nreturn {{ {exported} }};\n}})();"
 
 

@@ -13,7 +13,7 @@ const SANS = 'Helvetica, Arial, "Liberation Sans", sans-serif';
 const TYPE = '"Courier New", Courier, "Liberation Mono", monospace';
 const NUMBERS = 36; // room at the left, in pixels
 const MEANINGS = 24; // and at the right
-const TOP = 16; // for the channels' numbers
+const TOP = 16; // for the numbers of the channels
 const SPACE = "␣"; // hangs below its line: drawn a little higher, it stays off the next
 
 /** What of a `view` is to be seen: two views with the same key look the same. */

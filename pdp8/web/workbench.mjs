@@ -28,7 +28,7 @@ import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/utf16.mjs";
 import { html, ours, put } from "./html.mjs";
 import { READABLE } from "./pictures.mjs";
-import { bytes } from "./translator/runtime.mjs";
+import { bytes, set } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
@@ -96,6 +96,7 @@ export class Bench {
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
     this.machine = this.like(machine);
+    this.machine.watch.breakpoints = set(machine.watch.breakpoints); // not also those of the afternoon
     if (stops) this.machine.panel.stop();
     this.remember();
   }
@@ -195,7 +196,7 @@ export class Bench {
 
   /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
   tell(/** @type {unknown} */ words, seen = false) {
-    if (seen) this.afternoon.hush();
+    if (seen) clearTimeout(this.afternoon.saying); // it would be said over this
     this.writer.html(find("said"), html`${words}`);
     find("said").classList.toggle("spoken", !seen);
   }

@@ -16,7 +16,7 @@ import { DESK, readdress } from "../written.mjs";
 import { out } from "./next.mjs";
 import { codeOf } from "./shelf.mjs";
 
-const SAID = 8 * SECOND; // how long the operator's last action is shown
+const SAID = 8 * SECOND; // how long the last action of the operator is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
 const STEP = 5 * SECOND; // of a play as fast as it goes
 const SAMPLES = 16; // of the lamps, for a picture
@@ -28,7 +28,7 @@ export class Afternoon {
     this.bench = bench;
     this.made = /** @type {Script | null} */ (null); // the script
     this.codes = new Map(); // of its tapes
-    this.given = /** @type {boolean[]} */ ([]); // the record's machines that it has
+    this.given = /** @type {boolean[]} */ ([]); // the machines of the record that it has
     this.on = this.playing = false;
     this.position = 0;
     this.time = "";
@@ -152,18 +152,13 @@ export class Afternoon {
 
   /** The instant stands still: say it to who listens, and let the address name it. */
   #say() {
-    this.hush();
+    clearTimeout(this.saying);
     this.saying = setTimeout(() => {
       if (!this.on) return;
       const { now, act } = this.script;
       this.bench.tell(`${clock(now)}, ${act.name}. ${this.bench.switches.panel.words}`);
       readdress(`${DESK}&t=${now / SECOND}`);
     }, 150);
-  }
-
-  /** Leave unsaid what would hide another sentence. */
-  hush() {
-    clearTimeout(this.saying);
   }
 
   play(/** @type {boolean} */ on) {

@@ -7,7 +7,7 @@ import { exercise as checked } from "./marker.mjs";
 import { linked } from "./sharing.mjs";
 import { Store } from "./store.mjs";
 
-const SECONDS = 10; // of an answer, as `pdp8 check` gives it
+const SECONDS = 10; // of an answer, as pdp8 check gives it
 const BEGUN = "/ NAME\n*200\n\tHLT\n$\n"; // what an answer begins with
 
 export class Exercises {

@@ -144,7 +144,7 @@ export class Parts {
   translate() {
     const { bench } = this;
     bench.editor.stopCounting();
-    bench.machine.watch.breakpoints.clear(); // they were another program's
+    bench.machine.watch.breakpoints.clear(); // they were of another program
     bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
     bench.editor.load();
     bench.machine.wait(1); // what another program was reading or punching

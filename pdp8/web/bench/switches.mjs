@@ -75,7 +75,7 @@ class Card {
     this.bench = bench;
     this.card = drill("rim", []);
     this.coach = /** @type {Coach | null} */ (null); // who looks on while it is practised
-    this.looked = 0; // when the coach last did: the clock is the visitor's, not the machine's
+    this.looked = 0; // when the coach last did: the clock is that of the visitor, not of the machine
     put(find("card").querySelector("ol"), this.card.steps.map(({ say }) => html`<li>${say}</li>`));
   }
 

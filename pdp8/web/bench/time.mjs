@@ -26,7 +26,7 @@ export class Time {
       const control = keyed(find("time"), event);
       const own = event.target?.matches(TYPED_INTO) || (event.key === " " && event.target?.matches("button"));
       const action = control ? () => control.click() : /** @type {Record<string, () => void>} */ (keys)[event.key];
-      const away = /Home|End/.test(event.key) && !bench.afternoon.on; // from the visitor's own machine
+      const away = /Home|End/.test(event.key) && !bench.afternoon.on; // from the machine of the visitor
       if (!action || own || away || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       action();

@@ -151,7 +151,7 @@ export class Room {
     this.live = true;
     if (own) bench.adopt(own);
     const { punch, reader } = bench.machine.teletype;
-    reader.lever(false); // else it would read the story's tape to the visitor's program
+    reader.lever(false); // else it would read the tape of the story to the program of the visitor
     punch.on = true;
     this.guide.begin(bench.machine);
     this.hands = new Hands(place.querySelector(".hand"));
@@ -195,7 +195,7 @@ export class Room {
     if (!begins) return;
     find("mine").focus({ preventScroll: true });
     if (made) return;
-    this.#paper(machine.teletype.printer.frames.length); // what comes is the visitor's alone
+    this.#paper(machine.teletype.printer.frames.length); // what comes is only of the visitor
     if (guide.start) bench.teletype.tear({ value: "teletype" });
   }
 
@@ -394,7 +394,7 @@ export class Room {
     const ratio = Math.min(window.devicePixelRatio || 1, width > 2600 ? 1 : width < 700 ? 1.6 : 2);
     this.scene.fine = ratio;
     this.coarse = false;
-    this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the plate's picture
+    this.fine = width * ratio > 1200 ? 1800 : 1000; // pixels of the picture of the plate
     this.camera.eye = LATER;
     this.#measure();
   }

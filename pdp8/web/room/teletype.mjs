@@ -110,7 +110,7 @@ export class Page {
     c.translate(x + margin, y);
     drawLine(c, lines.at(-1), ended + 1, sharp);
     c.restore();
-    box(c, x - 0.5, line + 0.06, width + 1, 0.34, 0.17, shade(c, line, line + 0.4, ["#4b453d", "#1b1815", "#0c0b0a"])); // the platen's bar
+    box(c, x - 0.5, line + 0.06, width + 1, 0.34, 0.17, shade(c, line, line + 0.4, ["#4b453d", "#1b1815", "#0c0b0a"])); // the bar of the platen
     const at = x + margin + column * COLUMN + 0.04;
     box(c, x - 0.5, line + 0.86, width + 1, 0.09, 0.04, "#7d766a");
     box(c, at - 0.5, line + 0.52, 1, 0.62, 0.08, shade(c, line + 0.5, line + 1.2, ["#5d574d", "#2c2823"]));
