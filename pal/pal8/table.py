@@ -40,7 +40,7 @@ class SymbolTable:
         self._log = log
         self._exact = exact
         self._early: set[str] = set()  # names that are used before they are defined
-        self._left: dict[str, int] = {}  # the values of expunged names: DEC's forgets only that they are defined
+        self._left: dict[str, int] = {}  # values of expunged names: they stay in DEC's table
         self.known = _permanent()
         self.found = Symbol("", PLAIN, 0, False)
         self.found_at = 0

@@ -10,8 +10,8 @@ imports nothing of ours. It follows the mechanism register by register where fau
     tape       the frames of the BIN tape, without leader and trailer; None after a fatal message
     messages   (pass, code, place): place as DEC types it, "0203" or "A" or "A+0001"
 
-Not modelled: the listing (pass 3), /B /E /F /O, room for symbols, the value of an expunged name. Where a new
-literal is searched for below a bound that code has pushed up, DEC's searches all memory: `Wild` is raised.
+Not modelled: the listing (pass 3), /B /E /F /O, room for symbols. Where a new literal
+is searched for below a bound that code has pushed up, DEC's searches all memory: `Wild` is raised.
 
 Source: PAL8.PA V13 (DEC, 1975) beside runs of V10D under OS/8 V3D.
 """
@@ -114,6 +114,7 @@ class _Pal8:
         self.lines = [line[:80] for line in (whole + dot + rest + "$").split("\r")]
         self.wipe = wipe
         self.names = {}
+        self.gone = {}  # the values of expunged names, which stay where they were
         for name, value in PERMANENT:
             refers = name in ("AND", "TAD", "ISZ", "DCA", "JMS", "JMP")
             self.names[name] = Name(int(value, 8), True, refers, "", name in "IZ")
@@ -286,7 +287,7 @@ class _Pal8:
             self.next()
         name = name[:6]
         known = name in self.names
-        self.tag = self.names[name] if known else Name()
+        self.tag = self.names[name] if known else Name(self.gone.get(name, 0))
         self.tag = Name(self.tag.value, self.tag.permanent, self.tag.mri, self.tag.handler, self.tag.iz)
         self.value2 = self.tag.value
         self.undefined_tag = not known
@@ -686,6 +687,7 @@ class _Pal8:
 
     def do_expung(self):
         if self.number == 1:
+            self.gone |= {name: it.value for name, it in self.names.items()}
             self.names = {name: it for name, it in self.names.items() if it.handler or it.iz}
             self.tag, self.value2 = Name(), 0
 

@@ -396,7 +396,7 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
 
 
 def test_a_circle_within_another_tolerance(page: Page) -> None:
-    """The slider has its tape made by the whole chain: the wider it is, the fewer blocks. The tape is given."""
+    """The slider has its tape made by the whole chain: the wider it is, the fewer blocks."""
     click(page, "[data-opens=mill]")
     for value, thousandths in ((16, 500), (8, 30), (3, 5)):
         page.evaluate("(value) => workbench.mill.loosen({ value })", value)

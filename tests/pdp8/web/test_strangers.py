@@ -48,7 +48,7 @@ def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
 
 
 def test_a_breakpoint_is_not_the_afternoons(page: Page) -> None:
-    """What was marked at the visitor's own machine does not stop the afternoon, which then went cycle by cycle."""
+    """What was marked at the visitor's own machine does not hold up the afternoon."""
     page.evaluate("workbench.editor.run(); workbench.editor.mark({ value: 0o200 })")
     assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [0o200]
     page.evaluate("workbench.afternoon.back()")
