@@ -18,7 +18,7 @@ from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
 from pdp8.cli.shared.parameters import octal
 from pdp8.cli.shared.progress import Busy
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from tapes.errors import WorkError, called, naming, visible
 from tapes.quantities import counted
 
@@ -40,61 +40,35 @@ class AssemblyError(WorkError):
     "Where to.  [default: SOURCE's name with .bin; no tape where --listing, --symbols, --json or --tty is "
     "asked for without -o, --rim and --force]",
 )
-@click.option("--rim", is_flag=True, help="Punch a RIM tape instead of DEC's BIN tape.")
-@click.option("--listing", type=_TEXT, metavar="FILE", help="Write what pass 3 typed, with its symbol table.")
-@click.option("--symbols", type=_TEXT, metavar="FILE", help="Write the symbol table.")
-@click.option(
-    "--json", type=Target("JSON"), metavar="FILE", help="Write words, symbols, lines and diagnostics as JSON."
-)
-@click.option(
-    "--tty",
-    type=Folder(),
-    metavar="FOLDER",
-    help="Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33.",
-)
-@option(
-    "--force",
-    is_flag=True,
-    excludes="--check",
-    help="Punch the tape in spite of errors, as DEC's assembler did.",
-)
-@click.option("--strict", is_flag=True, help="Take notes for errors.")
-@option(
+@flag("--rim", "Punch a RIM tape instead of DEC's BIN tape.")
+@option("--listing", "Write what pass 3 typed, with its symbol table.", _TEXT, metavar="FILE")
+@option("--symbols", "Write the symbol table.", _TEXT, metavar="FILE")
+@option("--json", "Write words, symbols, lines and diagnostics as JSON.", Target("JSON"), metavar="FILE")
+@option("--tty", "Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33.", Folder(), metavar="FOLDER")
+@flag("--force", "Punch the tape in spite of errors, as DEC's assembler did.", excludes="--check")
+@flag("--strict", "Take notes for errors.")
+@flag(
     "--check",
-    is_flag=True,
+    "Say what is wrong, and write nothing.",
     excludes="--out --rim --listing --symbols --json --tty --no-clobber",
-    help="Say what is wrong, and write nothing.",
-)
-@click.option(
-    "--dialect",
-    type=click.Choice(DIALECTS),
-    default=FOUND,
-    show_default=True,
-    help="DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
-)
-@click.option(
-    "--w",
-    "wipe",
-    is_flag=True,
-    help="PAL8's /W: forget the literals of a page that was left, so that an overlay may go there.",
 )
 @option(
-    "--lsp",
-    is_flag=True,
-    only="--dialect",
-    help="Serve an editor on standard input and output (docs/editors.md).",
+    "--dialect",
+    "DEC's PAL III of 1967, or the later PAL8; auto takes PAL8 for a source by what it has.",
+    click.Choice(DIALECTS),
+    default=FOUND,
 )
-@click.option("--modern", is_flag=True, help="Read lower case as capitals; nothing else differs.")
-@click.option(
-    "--for",
-    "model",
-    type=click.Choice(MODELS),
-    help="Note each word that another model of the PDP-8 does not do as this one does.",
+@flag("--w wipe", "PAL8's /W: forget the literals of a page that was left, so that an overlay may go there.")
+@flag("--lsp", "Serve an editor on standard input and output (docs/editors.md).", only="--dialect")
+@flag("--modern", "Read lower case as capitals; nothing else differs.")
+@option(
+    "--for model",
+    "Note each word that another model of the PDP-8 does not do as this one does.",
+    click.Choice(MODELS),
 )
-@click.option(
+@flag(
     "--high-speed-reader",
-    is_flag=True,
-    help=f"Room for {HIGH_SPEED_SYMBOLS} symbols, not the ASR-33's {TELETYPE_SYMBOLS}; "
+    f"Room for {HIGH_SPEED_SYMBOLS} symbols, not the ASR-33's {TELETYPE_SYMBOLS}; "
     "PAUSE loses the rest of its line.",
 )
 @click.version_option(package_name="pdp8", prog_name="pal", message="%(prog)s, version %(version)s")
@@ -299,15 +273,15 @@ def _passes(folder: str | None, source: str) -> list[str]:
 
 @click.command(cls=Command)
 @click.argument("tape", type=Source(), default="-")
-@click.option("--symbols", type=Source(), metavar="FILE", help="Take the tags from a symbol table of pal.")
-@click.option(
+@option("--symbols", "Take the tags from a symbol table of pal.", Source(), metavar="FILE")
+@option(
     "--entry",
-    type=octal,
+    "Take what is reached from here for code, the rest for numbers. Several may be given.",
+    octal,
     multiple=True,
     metavar="OCTAL",
-    help="Take what is reached from here for code, the rest for numbers. Several may be given.",
 )
-@click.option("--force", is_flag=True, help="Take what can be read of a damaged tape.")
+@flag("--force", "Take what can be read of a damaged tape.")
 @output(Target("source"))
 def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, output: str) -> None:
     """Disassemble a BIN or RIM tape to PAL III source that assembles to the same words and fields.

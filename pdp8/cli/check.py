@@ -10,7 +10,7 @@ import click
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target
 from pdp8.cli.shared.parameters import processor_seconds
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from pdp8.computer.past import state
 from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import (
@@ -41,50 +41,45 @@ _BYTE_ORDER_MARK = "\ufeff"
 @click.command(cls=Command)
 @click.argument("exercise", type=Source(form.bundled), required=False)
 @click.argument("answer", type=Source(), nargs=-1)
-@option("--list", "listed", is_flag=True, only="", help="List the bundled exercises.")
+@flag("--list listed", "List the bundled exercises.", only="")
 @option(
-    "--show",
-    type=click.Choice(_SHOWN),
-    only="EXERCISE",
-    help="Show the exercise's task, or the teacher's solution.",
+    "--show", "Show the exercise's task, or the teacher's solution.", click.Choice(_SHOWN), only="EXERCISE"
 )
-@option(
+@flag(
     "--prove",
-    is_flag=True,
+    "Try whether the exercise does its work: its solution, slips in it, and what the task says.",
     only="EXERCISE --seed",
-    help="Try whether the exercise does its work: its solution, slips in it, and what the task says.",
 )
-@option(
-    "--where",
-    "shows_where",
-    is_flag=True,
+@flag(
+    "--where shows_where",
+    "Say where each answer goes wrong; write the machine there, and a link for the workbench.",
     needs="ANSWER",
     excludes="--variants",
-    help="Say where each answer goes wrong; write the machine there, and a link for the workbench.",
 )
-@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
-@click.option("--json", type=Target("JSON"), help="Write the marks as JSON.")
-@click.option("--csv", type=Target("text"), help="Write the marks for a spreadsheet.")
-@click.option("--junit", type=Target("XML"), help="Write the marks as JUnit does.")
-@option(
-    "--gradescope", type=Target("JSON"), help="Write the marks of one ANSWER for Gradescope's autograder."
-)
-@click.option("--pages", type=Folder(), help="Write a page for each student into FOLDER.")
-@click.option(
-    "--seed", metavar="N", type=int, default=form.SEED, show_default=True, help="Draw random cases from this."
-)
+@option("--dialect", "That of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@option("--json", "Write the marks as JSON.", Target("JSON"))
+@option("--csv", "Write the marks for a spreadsheet.", Target("text"))
+@option("--junit", "Write the marks as JUnit does.", Target("XML"))
+@option("--gradescope", "Write the marks of one ANSWER for Gradescope's autograder.", Target("JSON"))
+@option("--pages", "Write a page for each student into FOLDER.", Folder())
+@option("--seed", "Draw random cases from this.", int, metavar="N", default=form.SEED)
 @option(
     "--variants",
-    type=Target("text"),
-    help="Give each ANSWER random cases of its own, by its name and --seed; write the seeds as CSV.",
+    "Give each ANSWER random cases of its own, by its name and --seed; write the seeds as CSV.",
+    Target("text"),
 )
-@click.option("--cpu", type=processor_seconds, default=bounded.SECONDS, metavar="SECONDS",
-              show_default=True, help="Of processor time, the most an answer may take.")  # fmt: skip
+@option(
+    "--cpu",
+    "Of processor time, the most an answer may take.",
+    processor_seconds,
+    default=bounded.SECONDS,
+    metavar="SECONDS",
+)
 @option(
     "--export-student",
-    type=Target("JSON"),
+    "Write the exercise without what students must not have.",
+    Target("JSON"),
     only="EXERCISE",
-    help="Write the exercise without what students must not have.",
 )
 @click.pass_context
 def check(

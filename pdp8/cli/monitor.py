@@ -12,6 +12,7 @@ import click
 from pdp8 import fitting
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
+from pdp8.cli.shared.rules import flag, option
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.program import DIALECTS, FOUND
@@ -33,15 +34,15 @@ _BACK = "cont goes back into the program"
 
 @click.command(cls=Command)
 @click.argument("script", type=Source(), required=False)
-@click.option("--highspeed", is_flag=True, help="Fit the PC8/L high-speed reader and punch.")
-@click.option(
+@flag("--highspeed", "Fit the PC8/L high-speed reader and punch.")
+@option(
     "--device",
+    "Fit a device, highspeed or a class in a Python file of your own.",
     multiple=True,
     metavar="NAME|FILE:CLASS",
-    help="Fit a device, highspeed or a class in a Python file of your own.",
 )
-@click.option("--dialect", type=click.Choice(DIALECTS), default=FOUND, help="That of PAL source.")
-@click.option("--echo", is_flag=True, help="Show each line of a script before its answer.")
+@option("--dialect", "That of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@flag("--echo", "Show each line of a script before its answer.")
 def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialect: str, echo: bool) -> None:
     """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.
 

@@ -24,7 +24,7 @@ from pdp8.cli.nc_options import (
 from pdp8.cli.nc_options import cut as cut_tape
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Target, output
-from pdp8.cli.shared.rules import declared, is_given, option, words
+from pdp8.cli.shared.rules import declared, flag, is_given, option, words
 from tapes.errors import naming
 from tapes.paper import PAPERS, sized, tiled
 
@@ -48,7 +48,7 @@ def nc() -> None:
 
 @nc.command("list")
 @declared
-@click.option("--modes", is_flag=True, help="Add what is in force after each block, and the time.")
+@flag("--modes", "Add what is in force after each block, and the time.")
 def list_(tape: Tape, modes: bool) -> None:
     """Print the program as a table: each block and what it does.
 
@@ -69,14 +69,7 @@ def list_(tape: Tape, modes: bool) -> None:
 @nc.command()
 @declared
 @PECK
-@click.option(
-    "--passes",
-    type=click.IntRange(1),
-    metavar="NUMBER",
-    default=1,
-    show_default=True,
-    help="How many times the tape is run.",
-)
+@option("--passes", "How many times the tape is run.", click.IntRange(1), metavar="NUMBER", default=1)
 def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
     """Cut the tape and report what was done and the time it took.
 
@@ -103,23 +96,10 @@ def cut(tape: Tape, feeds: Feeds, times: Times, peck: int, passes: int) -> None:
 
 @nc.command()
 @declared
-@click.option(
-    "--block", type=click.IntRange(1), metavar="NUMBER", help="The current block; the last by default."
-)
+@option("--block", "The current block; the last by default.", click.IntRange(1), metavar="NUMBER")
 @lengths("--at", "X,Y", "Centre of the close view; the current block by default.")
-@click.option(
-    "--zoom",
-    type=Within(1, 1000),
-    metavar="TIMES",
-    default=10.0,
-    show_default=True,
-    help="Scale of the close view.",
-)
-@click.option(
-    "--paper",
-    type=click.Choice(list(PAPERS)),
-    help="Draw pages of this paper, with a ruler: print at 100 %.",
-)
+@option("--zoom", "Scale of the close view.", Within(1, 1000), metavar="TIMES", default=10.0)
+@option("--paper", "Draw pages of this paper, with a ruler: print at 100 %.", click.Choice(list(PAPERS)))
 @output(Target("SVG"), "FILE.svg")
 def plot(
     tape: Tape,
@@ -162,10 +142,8 @@ def plot(
 
 @nc.command()
 @declared
-@click.option(
-    "--talyrond", type=Target("SVG"), metavar="FILE.svg", help="Draw the polar graph of both walls."
-)
-@click.option("--talysurf", type=Target("SVG"), metavar="FILE.svg", help="Draw both walls laid out straight.")
+@option("--talyrond", "Draw the polar graph of both walls.", Target("SVG"), metavar="FILE.svg")
+@option("--talysurf", "Draw both walls laid out straight.", Target("SVG"), metavar="FILE.svg")
 @lengths("--stretch", "FROM,TO", "Stretch of the curve for the Talysurf, along it.", needs="--talysurf")
 @click.pass_context
 def inspect(
@@ -237,47 +215,35 @@ _FORMATS = {".dxf": "DXF"} | dict.fromkeys((".ngc", ".nc", ".gcode", ".tap", ".c
 @nc.command()
 @declared
 @PECK
-@option(
-    "--gcode",
-    is_flag=True,
-    help="G-code (RS-274) for today's mill: Z 0 is the top of the stock.",
-)
+@flag("--gcode", "G-code (RS-274) for today's mill: Z 0 is the top of the stock.")
 @option(
     "--safe",
-    type=Inches(0.001, 5),
+    "Height above the stock at which rapids go.  [default: 0.25]",
+    Inches(0.001, 5),
     excludes="--as-1971 --dxf",
-    help="Height above the stock at which rapids go.  [default: 0.25]",
 )
 @lengths("--shift", "X,Y", "Added to the tape's X and Y.", excludes="--as-1971")
 @option(
     "--tap",
-    type=Inches(0.001, 1),
+    "Pitch of the tap, for a tape that taps and a floating tap holder; without it taps are refused.",
+    Inches(0.001, 1),
     excludes="--dxf",
-    help="Pitch of the tap, for a tape that taps and a floating tap holder; without it taps are refused.",
 )
-@option(
+@flag(
     "--tool-change",
-    is_flag=True,
+    "Write tool changes and coolant, for LinuxCNC and others that have them.",
     excludes="--as-1971 --dxf",
-    help="Write tool changes and coolant, for LinuxCNC and others that have them.",
 )
-@option(
+@flag(
     "--as-1971",
-    is_flag=True,
+    "All that the machine did, parking and stops; Z 0 is the quill's top.",
     excludes="--cutter --dxf",
-    help="All that the machine did, parking and stops; Z 0 is the quill's top.",
 )
-@option(
-    "--dxf",
-    is_flag=True,
-    excludes="--gcode --peck",
-    help="A drawing of the path (needs ezdxf, the extra `nc`).",
-)
-@option(
+@flag("--dxf", "A drawing of the path (needs ezdxf, the extra `nc`).", excludes="--gcode --peck")
+@flag(
     "--depth",
-    is_flag=True,
+    "In the drawing, Z is the depth of the cut; without it the drawing is flat.",
     excludes="--gcode",
-    help="In the drawing, Z is the depth of the cut; without it the drawing is flat.",
 )
 @output(Target("text"))
 @click.pass_context

@@ -11,7 +11,7 @@ import click
 from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from tapes.errors import WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
@@ -72,11 +72,10 @@ class Metric:
 
     mm: Annotated[
         bool,
-        option(
+        flag(
             "--mm",
-            is_flag=True,
+            "Lengths are millimetres, given and written; those of an expression stay inches.",
             is_eager=True,
-            help="Lengths are millimetres, given and written; those of an expression stay inches.",
         ),
     ]
 
@@ -115,7 +114,7 @@ def numbers(
 
 def lengths(name: str, names: str, meaning: str, **rules: str) -> Callable[[_Function], _Function]:
     """Return an option of lengths, `names`, separated by commas; they are kept in inches."""
-    return option(name, callback=numbers(names, inches=True), metavar=names, help=meaning, **rules)
+    return option(name, meaning, callback=numbers(names, inches=True), metavar=names, **rules)
 
 
 @dataclass(frozen=True)
@@ -125,10 +124,9 @@ class Tape:
     name: Annotated[str, click.argument("name", type=Source(), metavar="[FILE.eia]", default="-")]
     strict: Annotated[
         bool,
-        option(
+        flag(
             "--strict",
-            is_flag=True,
-            help="Read as later controls did: from the first end of block on, odd parity, no blank rows.",
+            "Read as later controls did: from the first end of block on, odd parity, no blank rows.",
         ),
     ]
 
@@ -141,19 +139,20 @@ class Feeds:
         tuple[float, float, float],
         option(
             "--feed-error",
+            "Error of the feeds, within +-20; one number, or X,Y,Z.",
             callback=numbers("X,Y,Z", one_for_all=True),
             default="0",
             metavar="PERCENT",
-            help="Error of the feeds, within +-20; one number, or X,Y,Z.",
+            show_default=False,
         ),
     ]
     feed_code: Annotated[
         int | None,
         option(
             "--feed-code",
-            type=click.IntRange(1, 18),
+            "Mill at this code of Table 2.4 in place of the tape's.",
+            click.IntRange(1, 18),
             metavar="CODE",
-            help="Mill at this code of Table 2.4 in place of the tape's.",
         ),
     ]
 
@@ -177,22 +176,20 @@ class Times:
         float,
         option(
             "--tool-change",
-            type=Within(0, 3600),
+            "Time of an automatic tool change; not in the thesis.",
+            Within(0, 3600),
             default=0.0,
-            show_default=True,
             metavar="SECONDS",
-            help="Time of an automatic tool change; not in the thesis.",
         ),
     ]
     read_seconds: Annotated[
         float,
         option(
             "--read-seconds",
-            type=Within(0, 3600),
+            "Time to read a block; an electronic reader takes less (Chapter 10).",
+            Within(0, 3600),
             default=2.0,
-            show_default=True,
             metavar="SECONDS",
-            help="Time to read a block; an electronic reader takes less (Chapter 10).",
         ),
     ]
 
@@ -232,20 +229,20 @@ class Named:
         str | None,
         option(
             "--function",
+            "Nominal curve: y as a function of x, as `pdp8 part curve` has it.",
             metavar="EXPRESSION",
             needs="--range",
             excludes="--profile",
-            help="Nominal curve: y as a function of x, as `pdp8 part curve` has it.",
         ),
     ]
     profile: Annotated[
         str | None,
         option(
             "--profile",
-            type=Source(),
-            metavar="EXPRESSION|FILE",
-            help="Nominal curve, as `pdp8 part profile` has it: the radius as a function of the angle, a "
+            "Nominal curve, as `pdp8 part profile` has it: the radius as a function of the angle, a "
             "file of points, or the .json that was written beside a tape.",
+            Source(),
+            metavar="EXPRESSION|FILE",
         ),
     ]
     origin: Annotated[
@@ -260,12 +257,11 @@ class Named:
     range_: Annotated[
         tuple[float, float] | None,
         option(
-            "--range",
-            "range_",
+            "--range range_",
+            "Range of x of --function, inches.",
             callback=numbers("FROM,TO"),
             metavar="FROM,TO",
             needs="--function",
-            help="Range of x of --function, inches.",
         ),
     ]
     side = ""
@@ -312,10 +308,10 @@ class Surface(Named):
         str,
         option(
             "--side",
-            type=click.Choice(["above", "below", "outside", "inside"]),
+            "The curve is the part's surface, and the cutter is on this side of it.",
+            click.Choice(["above", "below", "outside", "inside"]),
             callback=lambda _, __, side: side or "",
             needs="--function --profile --circle --ellipse",
-            help="The curve is the part's surface, and the cutter is on this side of it.",
         ),
     ]
 
@@ -328,8 +324,8 @@ class Cutter:
         float | None,
         option(
             "--cutter",
-            type=Inches(0, 10, above=True),
-            help="Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
+            "Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
+            Inches(0, 10, above=True),
         ),
     ]
 
@@ -342,9 +338,9 @@ class Cutting(Cutter):
         float | None,
         option(
             "--tolerance",
-            type=Inches(0, 1, above=True),
-            help="The most that a wall may be off nominal, either way; half the width of the band.  "
+            "The most that a wall may be off nominal, either way; half the width of the band.  "
             "[default: that of the nominal curve, or 0.005]",
+            Inches(0, 1, above=True),
         ),
     ]
 
@@ -405,11 +401,10 @@ def _made_for(tape: str, path: "Path") -> Nominal | None:
 
 PECK = option(
     "--peck",
-    type=Inches(0.001, 5),
+    "Depth the drill goes between two withdrawals; not in the thesis.",
+    Inches(0.001, 5),
     callback=lambda _, __, inches: round(inches * 1000),
     default=0.1,
-    show_default=True,
-    help="Depth the drill goes between two withdrawals; not in the thesis.",
 )
 
 

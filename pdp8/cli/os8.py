@@ -7,17 +7,17 @@ import click
 from pdp8 import shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source, Target, output
+from pdp8.cli.shared.rules import option
 from tapes import dectape, os8
 from tapes.errors import WorkError, naming
 
 _FRAMES = "BN"
 _AS = click.Choice(["text", "tape", "words"])
-_as = click.option(
-    "--as",
-    "form",
-    type=_AS,
-    help="The lines of a text, the frames of a BIN tape, or all words, each in two bytes, low one first.  "
+_as = option(
+    "--as form",
+    "The lines of a text, the frames of a BIN tape, or all words, each in two bytes, low one first.  "
     "[default: tape for .BN, words for .SV and .RL, else text]",
+    _AS,
 )
 _image = click.argument("image", type=Source(), metavar="IMAGE.tu56")
 

@@ -7,7 +7,7 @@ import click
 
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import octal
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
 from tapes.errors import WorkError
@@ -15,38 +15,17 @@ from tapes.errors import WorkError
 
 @click.command(cls=Command)
 @click.argument("program", type=Source(), required=False)
-@click.option("--reader", type=Source(), help="Tape in the Teletype's reader to begin with.")
+@option("--reader", "Tape in the Teletype's reader to begin with.", Source())
+@option("--start", "Where PROGRAM starts, octal.", octal, default="0200", needs="PROGRAM", excludes="--cold")
+@option("--sr", "Switch register to begin with, octal.  [default: --start]", octal)
+@option("--drill", "Follow a card key by key; what is wrong is named.", click.Choice(NAMES), only="--kiosk")
+@flag("--kiosk", "Begin the drill again when it is left alone for a minute.", needs="--drill")
+@flag("--cold", "Leave core empty: PROGRAM is a tape at hand, to be loaded.", needs="PROGRAM")
 @option(
-    "--start",
-    type=octal,
-    default="0200",
-    show_default=True,
-    needs="PROGRAM",
-    excludes="--cold",
-    help="Where PROGRAM starts, octal.",
-)
-@click.option("--sr", type=octal, help="Switch register to begin with, octal.  [default: --start]")
-@option(
-    "--drill",
-    type=click.Choice(NAMES),
-    only="--kiosk",
-    help="Follow a card key by key; what is wrong is named.",
-)
-@option(
-    "--kiosk",
-    is_flag=True,
-    needs="--drill",
-    help="Begin the drill again when it is left alone for a minute.",
-)
-@option(
-    "--cold", is_flag=True, needs="PROGRAM", help="Leave core empty: PROGRAM is a tape at hand, to be loaded."
-)
-@click.option(
     "--memory",
-    type=click.Choice(["4k", "8k"]),
+    "Words of core; 8k comes with the memory extension MC8/L and its switches.",
+    click.Choice(["4k", "8k"]),
     default="4k",
-    show_default=True,
-    help="Words of core; 8k comes with the memory extension MC8/L and its switches.",
 )
 def panel(
     program: str | None,

@@ -10,7 +10,7 @@ from pdp8 import companion, shelf
 from pdp8.cli import part_options
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Group, Source, Target, output
-from pdp8.cli.shared.rules import Option
+from pdp8.cli.shared.rules import Option, flag, option
 from programs.arithmetic import ARITHMETICS
 from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
@@ -151,8 +151,8 @@ _COMPARED = ("circle", "ellipse", "polynomial", "die")
 
 @part.command(short_help="A part in two arithmetics, side by side.")
 @click.argument("name", type=click.Choice(_COMPARED), metavar="PART")
-@click.option("--arithmetic", type=_ARITHMETIC, default="exact", show_default=True, help="The one.")
-@click.option("--with", "other", type=_ARITHMETIC, default="ge635", show_default=True, help="The other.")
+@option("--arithmetic", "The one.", _ARITHMETIC, default="exact")
+@option("--with other", "The other.", _ARITHMETIC, default="ge635")
 def compare(name: str, arithmetic: str, other: str) -> None:
     """Run PART, one of circle, ellipse, polynomial and die, in two arithmetics; show the blocks that differ.
 
@@ -174,15 +174,8 @@ def compare(name: str, arithmetic: str, other: str) -> None:
 
 @part.command(short_help="A function from measured points.")
 @click.argument("points", type=Source(), metavar="[POINTS]", default="-")
-@click.option(
-    "--degree",
-    type=click.IntRange(0),
-    metavar="NUMBER",
-    default=3,
-    show_default=True,
-    help="Of the polynomial.",
-)
-@click.option("--mm", is_flag=True, help="The points are millimetres; the polynomial is for inches.")
+@option("--degree", "Of the polynomial.", click.IntRange(0), metavar="NUMBER", default=3)
+@flag("--mm", "The points are millimetres; the polynomial is for inches.")
 def fit(points: str, degree: int, mm: bool) -> None:
     """Reduce measured points to a polynomial by least squares, for `pdp8 part curve`.
 
@@ -205,14 +198,12 @@ def fit(points: str, degree: int, mm: bool) -> None:
 
 @part.command(short_help="The other hand of a part.")
 @click.argument("tape", type=Source(), metavar="[FILE.asc]", default="-")
-@click.option(
-    "--across", type=click.Choice(["x", "y"]), default="x", show_default=True, help="The axis to reflect."
-)
-@click.option(
+@option("--across", "The axis to reflect.", click.Choice(["x", "y"]), default="x")
+@option(
     "--about",
-    type=part_options.Typed(Constant("about", "", unit=THOUSANDTHS)),
+    "Where the mirror is; the middle of the part by default.",
+    part_options.Typed(Constant("about", "", unit=THOUSANDTHS)),
     metavar="INCHES",
-    help="Where the mirror is; the middle of the part by default.",
 )
 @output(Target("tape"))
 def mirror(tape: str, across: Literal["x", "y"], about: float | None, output: str) -> None:

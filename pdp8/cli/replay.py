@@ -20,15 +20,13 @@ REPLAYED = tuple(name for name, part in PARTS.items() if part.has_defaults)
 @click.command(cls=Command)
 @click.argument("part", type=click.Choice(REPLAYED), metavar="PART")
 @output(Folder(), "FOLDER", None, "Where tapes, listings and pictures go.  [default: replay-PART]")
-@click.option(
-    "--html", type=Target("HTML"), help="Write the afternoon as a page too: any instant of it, in one file."
-)
+@option("--html", "Write the afternoon as a page too: any instant of it, in one file.", Target("HTML"))
 @option(
     "--fortran",
-    type=Source(),
+    "Run the listing in DEC's FORTRAN, on an 8/L of 8K with this DECtape of PS/8.",
+    Source(),
     metavar="DECTAPE",
     excludes="--html",
-    help="Run the listing in DEC's FORTRAN, on an 8/L of 8K with this DECtape of PS/8.",
 )
 def replay(part: str, output: str | None, html: str | None, fortran: str | None) -> None:
     """Do the afternoon of 1971 again for PART: circle, ellipse, polynomial, slope, die, drill or fluidic.

@@ -6,6 +6,7 @@ import click
 
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group
+from pdp8.cli.shared.rules import flag
 
 _GROUPS = {
     "Run": {
@@ -83,13 +84,12 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
 
 
 @click.group(cls=_Lazy)
-@click.option(
+@flag(
     "--version",
-    is_flag=True,
+    "Show the version, and which form of the core runs, from where.",
     is_eager=True,
     expose_value=False,
     callback=_show_version,
-    help="Show the version, and which form of the core runs, from where.",
 )
 def pdp8() -> None:
     """A bit-exact PDP-8/L with its Teletype, PAL III, paper tapes and the N/C machine of one 1971 thesis.

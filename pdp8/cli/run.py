@@ -18,7 +18,7 @@ from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
 from pdp8.cli.shared.parameters import octal, seconds
-from pdp8.cli.shared.rules import declared, is_given, option
+from pdp8.cli.shared.rules import declared, flag, is_given, option
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
@@ -47,210 +47,175 @@ class Options:
     """What to run, its inputs and outputs, and what to record."""
 
     program: Annotated[str | None, click.argument("program", type=Source(), required=False)]
-    start: Annotated[
-        int,
-        option("--start", type=octal, default="0200", show_default=True, help="Address to start at, octal."),
-    ]
-    sr: Annotated[
-        int, option("--sr", type=octal, default="0000", show_default=True, help="Switch register, octal.")
-    ]
+    start: Annotated[int, option("--start", "Address to start at, octal.", octal, default="0200")]
+    sr: Annotated[int, option("--sr", "Switch register, octal.", octal, default="0000")]
     reader: Annotated[
         tuple[str, ...],
         option(
             "--reader",
-            type=Source(),
+            "Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
+            Source(),
             multiple=True,
-            help="Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
         ),
     ]
     punch: Annotated[
         str | None,
-        option(
-            "--punch", type=Target("tape"), help="Where the punched tape goes.  [default: standard output]"
-        ),
+        option("--punch", "Where the punched tape goes.  [default: standard output]", Target("tape")),
     ]
     fast_reader: Annotated[
-        str | None,
-        option("--fast-reader", type=Source(), help="Fit the high-speed reader, with this tape."),
+        str | None, option("--fast-reader", "Fit the high-speed reader, with this tape.", Source())
     ]
     fast_punch: Annotated[
-        str | None,
-        option("--fast-punch", type=Target("tape"), help="Fit the high-speed punch; its tape goes here."),
+        str | None, option("--fast-punch", "Fit the high-speed punch; its tape goes here.", Target("tape"))
     ]
     device: Annotated[
         tuple[str, ...],
         option(
             "--device",
+            "Fit a device, highspeed or a class in a Python file of your own.",
             multiple=True,
             metavar="NAME|FILE:CLASS",
-            help="Fit a device, highspeed or a class in a Python file of your own.",
         ),
     ]
     memory: Annotated[
         str,
         option(
             "--memory",
-            type=click.Choice(list(MEMORY)),
+            "Words of core; 32k as no PDP-8/L had it.",
+            click.Choice(list(MEMORY)),
             default="4k",
             excludes="--restore",
-            help="Words of core; 32k as no PDP-8/L had it.",
+            show_default=False,
         ),
     ]
     dectape: Annotated[
         tuple[str, ...],
         option(
             "--dectape",
+            "Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
             multiple=True,
             metavar="N=FILE",
-            help="Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
         ),
     ]
     save_dectape: Annotated[
         tuple[str, ...],
         option(
             "--save-dectape",
+            "Save the reel of drive N as the run ends; the image that was mounted stays.",
             multiple=True,
             metavar="N=FILE",
             needs="--dectape",
-            help="Save the reel of drive N as the run ends; the image that was mounted stays.",
         ),
     ]
     disk: Annotated[
         str | None,
         option(
             "--disk",
+            "Fit a DF32 with an image of one to four discs, 65,536 bytes each.",
             metavar="df32=FILE",
             excludes="--restore",
-            help="Fit a DF32 with an image of one to four discs, 65,536 bytes each.",
         ),
     ]
     save_disk: Annotated[
         str | None,
-        option("--save-disk", metavar="df32=FILE", needs="--disk", help="Save the disk as the run ends."),
+        option("--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk"),
     ]
     printer: Annotated[
-        str | None,
-        option("--printer", type=Target("text"), help="Fit the line printer LP08; its text goes here."),
+        str | None, option("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
     ]
     keyboard: Annotated[
-        bool,
-        option(
-            "--keyboard",
-            is_flag=True,
-            help="Type at the Teletype and see it print; Ctrl-] stops, into the monitor.",
-        ),
+        bool, flag("--keyboard", "Type at the Teletype and see it print; Ctrl-] stops, into the monitor.")
     ]
     line: Annotated[
         str | None,
         option(
             "--line",
-            type=Target(),
+            "The Teletype is a line: a serial port, a pty, a TCP port for telnet. At 110 baud's pace.",
+            Target(),
             metavar="PATH|tcp:PORT",
             excludes="--keyboard --reader --realtime",
-            help="The Teletype is a line: a serial port, a pty, a TCP port for telnet. At 110 baud's pace.",
         ),
     ]
     line_bits: Annotated[
         int | None,
         option(
             "--line-bits",
-            type=click.Choice([7, 8]),
+            "8: frames as they are; 7: characters as a terminal has them.  [default: 8; tcp: 7]",
+            click.Choice([7, 8]),
             needs="--line",
-            help="8: frames as they are; 7: characters as a terminal has them.  [default: 8; tcp: 7]",
         ),
     ]
     line_speed: Annotated[
         str,
         option(
             "--line-speed",
-            type=click.Choice(["110", "full"]),
+            "At 110 baud's pace, or as fast as it goes.",
+            click.Choice(["110", "full"]),
             default="110",
-            show_default=True,
             needs="--line",
-            help="At 110 baud's pace, or as fast as it goes.",
         ),
     ]
     max_time: Annotated[
-        float | None,
-        option("--max-time", type=seconds, metavar="SECONDS", help="Stop after this machine time."),
+        float | None, option("--max-time", "Stop after this machine time.", seconds, metavar="SECONDS")
     ]
-    realtime: Annotated[
-        bool,
-        option("--realtime", is_flag=True, help="Run no faster than a PDP-8/L did: 10 frames a second."),
-    ]
+    realtime: Annotated[bool, flag("--realtime", "Run no faster than a PDP-8/L did: 10 frames a second.")]
     boot: Annotated[
         bool,
-        option(
-            "--boot",
-            is_flag=True,
-            excludes="--restore",
-            help="From cold: toggle RIM in, read the BIN loader, read the program.",
+        flag(
+            "--boot", "From cold: toggle RIM in, read the BIN loader, read the program.", excludes="--restore"
         ),
     ]
     loader: Annotated[
         str | None,
         option(
             "--loader",
-            type=Source(),
+            "The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
+            Source(),
             needs="--boot",
-            help="The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
         ),
     ]
     dialect: Annotated[
         str,
         option(
             "--dialect",
-            type=click.Choice(DIALECTS),
+            "That of PAL source.",
+            click.Choice(DIALECTS),
             default=FOUND,
             needs="PROGRAM",
-            help="That of PAL source.",
+            show_default=False,
         ),
     ]
-    force: Annotated[
-        bool,
-        option(
-            "--force", is_flag=True, needs="PROGRAM", help="Load a damaged tape as far as it can be read."
-        ),
-    ]
+    force: Annotated[bool, flag("--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM")]
     trace: Annotated[
         str | None,
-        option(
-            "--trace", type=Target("text"), help="Write each instruction: time, L AC, MA MB, its listing."
-        ),
+        option("--trace", "Write each instruction: time, L AC, MA MB, its listing.", Target("text")),
     ]
     count: Annotated[
         bool,
-        option(
-            "--count",
-            is_flag=True,
-            excludes="--trace",
-            help="Count instructions, cycles, waiting; a table as the run ends.",
-        ),
+        flag("--count", "Count instructions, cycles, waiting; a table as the run ends.", excludes="--trace"),
     ]
     annotate: Annotated[
         str | None,
         option(
             "--annotate",
-            type=Target("text"),
+            "Write the listing with each word's count in its margin.",
+            Target("text"),
             excludes="--trace",
-            help="Write the listing with each word's count in its margin.",
         ),
     ]
     save: Annotated[
-        str | None, option("--save", type=Target("JSON"), help="Write the machine's state as the run ends.")
+        str | None, option("--save", "Write the machine's state as the run ends.", Target("JSON"))
     ]
     restore: Annotated[
         str | None,
         option(
             "--restore",
-            type=Source(),
-            help="Go on from a saved state and the tape in its reader, as CONT does; with --start, START "
+            "Go on from a saved state and the tape in its reader, as CONT does; with --start, START "
             "there. --sr sets the switches, --reader changes the tape (- for standard input).",
+            Source(),
         ),
     ]
-    quiet: Annotated[
-        bool, option("--quiet", is_flag=True, help="Do not say how the run ended, unless it failed.")
-    ]
+    quiet: Annotated[bool, flag("--quiet", "Do not say how the run ended, unless it failed.")]
 
 
 @click.command(cls=Command, context_settings={"allow_extra_args": True})

@@ -10,7 +10,7 @@ from pdp8 import shelf
 from pdp8.cli.os8 import extract, insert
 from pdp8.cli.shared import command, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from tapes import (
     codes,
     cutting,
@@ -43,7 +43,7 @@ _output = output(Target("tape"))
 _file = click.argument("file", type=Source(), default="-")
 
 
-_accept = option("--accept", is_flag=True, help="Take doubtful frames as they were punched.")
+_accept = flag("--accept", "Take doubtful frames as they were punched.")
 
 
 def _frames_and_values(_context: click.Context, _option: click.Parameter, value: str) -> dict[int, int]:
@@ -63,10 +63,10 @@ def _frames_and_values(_context: click.Context, _option: click.Parameter, value:
 
 _mend = option(
     "--mend",
+    "Take these frames for others than were punched.",
     metavar="FRAME=OCTAL,...",
     default="",
     callback=_frames_and_values,
-    help="Take these frames for others than were punched.",
 )
 
 
@@ -114,11 +114,10 @@ def _parity(code: str) -> Callable[[_Function], _Function]:
     """Return the decorator that adds --parity, for tapes whose code is in option `code`."""
     return option(
         "--parity",
-        type=click.Choice(list(frames.PARITIES)),
+        "Channel 8 of an ASCII tape.",
+        click.Choice(list(frames.PARITIES)),
         default="mark",
-        show_default=True,
         needs=f"{code}=ascii",
-        help="Channel 8 of an ASCII tape.",
     )
 
 
@@ -139,40 +138,33 @@ def tape() -> None:
 
 @tape.command()
 @_file
-@click.option(
-    "--from",
-    "first",
-    type=click.IntRange(0),
+@option(
+    "--from first",
+    "The first frame to show; the tape's first is 0.",
+    click.IntRange(0),
     metavar="FRAME",
     default=0,
-    help="The first frame to show; the tape's first is 0.",
+    show_default=False,
 )
-@click.option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="The last frame to show.")
-@click.option(
-    "--code",
-    type=click.Choice([_AUTO, *_NAMES, "none"]),
-    default=_AUTO,
-    show_default=True,
-    help="What the captions take the tape for.",
+@option("--to last", "The last frame to show.", click.IntRange(0), metavar="FRAME")
+@option(
+    "--code", "What the captions take the tape for.", click.Choice([_AUTO, *_NAMES, "none"]), default=_AUTO
 )
-@click.option(
-    "--svg",
-    type=Target("SVG"),
-    metavar="FILE",
-    help="Draw it in true size as SVG into FILE (- for standard output).",
+@option(
+    "--svg", "Draw it in true size as SVG into FILE (- for standard output).", Target("SVG"), metavar="FILE"
 )
 @option(
     "--paper",
-    type=click.Choice(list(paper_sizes)),
+    "Draw pages of this paper, with a ruler and marks to cut: print at 100 %.",
+    click.Choice(list(paper_sizes)),
     needs="--svg",
-    help="Draw pages of this paper, with a ruler and marks to cut: print at 100 %.",
 )
 @option(
     "--cut",
-    type=Target("drawing"),
+    "Write outline and holes, in millimetres, for a laser that cuts.",
+    Target("drawing"),
     metavar="FILE.svg|FILE.dxf",
     excludes="--code",
-    help="Write outline and holes, in millimetres, for a laser that cuts.",
 )
 def show(
     *,
@@ -248,31 +240,19 @@ def info(files: tuple[str, ...]) -> None:
 
 @tape.command()
 @_file
-@click.option(
-    "--code",
-    type=click.Choice([_AUTO, *conversion.FORMS]),
-    default=_AUTO,
-    show_default=True,
-    help="The code it is in.",
-)
-@click.option(
-    "--to",
-    "target",
-    type=click.Choice(conversion.TARGETS),
-    required=True,
-    help="The code to make of it.",
-)
+@option("--code", "The code it is in.", click.Choice([_AUTO, *conversion.FORMS]), default=_AUTO)
+@option("--to target", "The code to make of it.", click.Choice(conversion.TARGETS), required=True)
 @_parity("--to")
 @option(
     "--fill",
-    type=click.IntRange(0, 1000),
+    "RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
+    click.IntRange(0, 1000),
     metavar="FRAMES",
     needs="--to=ascii",
-    help="RUBOUTs after CR LF; 6, or as an ASCII tape has them.",
 )
 @_accept
 @_mend
-@click.option("--force", is_flag=True, help="Take what can be read of a damaged BIN or RIM tape.")
+@flag("--force", "Take what can be read of a damaged BIN or RIM tape.")
 @output(Target())
 def convert(
     *,
@@ -327,11 +307,13 @@ def _numbers(_context: click.Context, _option: click.Parameter, value: str) -> f
 
 @tape.command()
 @_file
-@option("--from", "first", type=click.IntRange(0), metavar="FRAME", default=0, help="First frame to keep.")
-@option("--to", "last", type=click.IntRange(0), metavar="FRAME", help="Last frame to keep.")
-@option("--without", metavar="FRAMES", default="", callback=_numbers, help="Leave out frames: 1001,821-826.")
-@option("--reverse", is_flag=True, help="Turn it back to front: the last frame first.")
-@option("--mirror", is_flag=True, help="Turn it over: channel 8 becomes channel 1.")
+@option(
+    "--from first", "First frame to keep.", click.IntRange(0), metavar="FRAME", default=0, show_default=False
+)
+@option("--to last", "Last frame to keep.", click.IntRange(0), metavar="FRAME")
+@option("--without", "Leave out frames: 1001,821-826.", metavar="FRAMES", default="", callback=_numbers)
+@flag("--reverse", "Turn it back to front: the last frame first.")
+@flag("--mirror", "Turn it over: channel 8 becomes channel 1.")
 @_mend
 @_output
 def cut(
@@ -390,32 +372,22 @@ def clean(*, file: str, accept: bool, mend: dict[int, int], output: str) -> None
 
 @tape.command()
 @_file
-@click.option(
-    "--code", type=click.Choice(list(_TYPED)), default="ascii", show_default=True, help="The tape's code."
-)
+@option("--code", "The tape's code.", click.Choice(list(_TYPED)), default="ascii")
 @_parity("--code")
 @option(
     "--fill",
-    type=click.IntRange(0, 1000),
+    "RUBOUTs after each CR LF (ascii).",
+    click.IntRange(0, 1000),
     metavar="FRAMES",
     default=6,
-    show_default=True,
     needs="--code=ascii",
-    help="RUBOUTs after each CR LF (ascii).",
 )
-@click.option(
-    "--leader",
-    type=click.IntRange(0, 100_000),
-    metavar="FRAMES",
-    default=0,
-    show_default=True,
-    help="Blank frames before and after.",
-)
-@click.option("--title", metavar="TITLE", default="", help="Punch a title for the eye before it.")
-@click.option(
+@option("--leader", "Blank frames before and after.", click.IntRange(0, 100_000), metavar="FRAMES", default=0)
+@option("--title", "Punch a title for the eye before it.", metavar="TITLE", default="")
+@option(
     "--drop-spaces/--keep-spaces",
+    "Leave out spaces that only make the text clear.  [default: in a Hydra-Point program]",
     default=None,
-    help="Leave out spaces that only make the text clear.  [default: in a Hydra-Point program]",
 )
 @_output
 def punch(
@@ -463,21 +435,16 @@ def _order(_context: click.Context, _option: click.Parameter, value: str) -> tup
 
 @tape.command()
 @click.argument("photos", type=Source(), nargs=-1, required=True)
-@click.option("--underside", is_flag=True, help="The tape was photographed from below.")
-@click.option(
+@flag("--underside", "The tape was photographed from below.")
+@option(
     "--strips",
+    "Read these strips in this order, such as 3,1,2; -2 is strip 2 photographed from the other side.",
     metavar="ORDER",
     default="",
     callback=_order,
-    help="Read these strips in this order, such as 3,1,2; -2 is strip 2 photographed from the other side.",
 )
-@click.option("--stitch", is_flag=True, help="The photographs show parts of one tape, which overlap.")
-@click.option(
-    "--page",
-    type=Target("HTML"),
-    metavar="FILE",
-    help="Write a page to look at what was read, and to correct it.",
-)
+@flag("--stitch", "The photographs show parts of one tape, which overlap.")
+@option("--page", "Write a page to look at what was read, and to correct it.", Target("HTML"), metavar="FILE")
 @_output
 @click.pass_context
 def read(

@@ -12,7 +12,7 @@ import click
 from pdp8 import shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Group, Source, Target, output
-from pdp8.cli.shared.rules import option
+from pdp8.cli.shared.rules import flag, option
 from tapes.errors import TapeError
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def page(output: str) -> None:
 
 
 @thesis.command("numbers")
-@click.option("--chapter", type=click.IntRange(1, 10), metavar="NUMBER", help="Those of one chapter.")
+@option("--chapter", "Those of one chapter.", click.IntRange(1, 10), metavar="NUMBER")
 @output(Target("text"))
 def numbers_(chapter: int | None, output: str) -> None:
     """List every number of the thesis: page, words, ours, its state, and what makes it.
@@ -93,11 +93,8 @@ def numbers_(chapter: int | None, output: str) -> None:
 @thesis.command()
 @click.argument("number", metavar="[NUMBER|all]", required=False)
 @output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True, needs="NUMBER")
-@option(
-    "--facsimile",
-    is_flag=True,
-    needs="NUMBER",
-    help="Listing B, C or D as it stood on its pages; in brackets what we supply.",
+@flag(
+    "--facsimile", "Listing B, C or D as it stood on its pages; in brackets what we supply.", needs="NUMBER"
 )
 def make(number: str | None, output: str, facsimile: bool) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
@@ -169,7 +166,7 @@ def _list() -> None:
 
 @thesis.command()
 @click.argument("file", metavar="FILE")
-@option("--tei", is_flag=True, help="Write it as TEI, for editors: what is supplied, with the reason.")
+@flag("--tei", "Write it as TEI, for editors: what is supplied, with the reason.")
 @output(Target("text"))
 def evidence(file: str, tei: bool, output: str) -> None:
     """Show for every line of FILE the page, the scan's reading, ours, its evidence and the reason.
@@ -198,12 +195,12 @@ def evidence(file: str, tei: bool, output: str) -> None:
 
 @thesis.command()
 @click.argument("answers", type=Source(), metavar="[ANSWERS]", required=False)
-@option("--letter", is_flag=True, excludes="--pages", help="Write a letter to a library that has the thesis.")
+@flag("--letter", "Write a letter to a library that has the thesis.", excludes="--pages")
 @option(
     "--pages",
-    type=click.Path(exists=True, file_okay=False),
+    "Pictures of pages, 106.png or page-106.png: say where on them the lines are.",
+    click.Path(exists=True, file_okay=False),
     metavar="FOLDER",
-    help="Pictures of pages, 106.png or page-106.png: say where on them the lines are.",
 )
 @output(Target("text"))
 def collate(answers: str | None, letter: bool, pages: str | None, output: str) -> None:

@@ -5,19 +5,19 @@ import click
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, output
 from pdp8.cli.shared.progress import Bar
+from pdp8.cli.shared.rules import flag, option
 
 
 @click.command(cls=Command)
 @output(Folder(), "FOLDER", None, "Where the files go.", required=True)
-@click.option(
+@option(
     "--states",
+    "States of each word, in steps of four.",
+    click.IntRange(4, 1000),
     metavar="NUMBER",
-    type=click.IntRange(4, 1000),
     default=100,
-    show_default=True,
-    help="States of each word, in steps of four.",
 )
-@click.option("--pipan8l", is_flag=True, help="Add hands.tcl, which plays the keys on a real PDP-8/L.")
+@flag("--pipan8l", "Add hands.tcl, which plays the keys on a real PDP-8/L.")
 def vectors(output: str, states: int, pipan8l: bool) -> None:
     """Write what each of the 4,096 words does, in a hundred states each, for tests of any emulator.
 

@@ -7,16 +7,14 @@ import click
 from pdp8 import shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source, Target, output
+from pdp8.cli.shared.rules import option
 from tapes.errors import called
 
 
 @click.command(cls=Command)
-@click.option("--tape", type=Source(), help="Open it with this EIA tape at the Hydra-Point.")
-@click.option(
-    "--url",
-    metavar="URL",
-    default="",
-    help="The page's public address, with which the links that it gives begin.",
+@option("--tape", "Open it with this EIA tape at the Hydra-Point.", Source())
+@option(
+    "--url", "The page's public address, with which the links that it gives begin.", metavar="URL", default=""
 )
 @output(Target("HTML"), "PAGE", "pdp8.html", "The page.", show_default=True)
 def workbench(tape: str | None, url: str, output: str) -> None:

@@ -101,7 +101,7 @@ def output(
     """Return the decorator that adds `-o`, `--out`: where a command's product goes, a file or a folder."""
     if default is not None:  # click takes a given None for an answer, even where one is required
         settings["default"] = default
-    return rules.option("-o", "--out", "output", type=kind, metavar=metavar, help=help, **settings)
+    return rules.option("-o --out output", help, kind, metavar=metavar, **settings)
 
 
 class Command(click.Command):

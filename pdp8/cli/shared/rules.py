@@ -1,9 +1,9 @@
 """An option that was given acts, or is refused: what it needs and what it excludes stand in its declaration.
 
-    option("--cycles", is_flag=True, needs="--trace")           means nothing without --trace
-    option("--fill", type=int, needs="--to=ascii")              means nothing unless --to is ascii
-    option("--boot", is_flag=True, excludes="--restore")        does not go with --restore
-    option("--prove", is_flag=True, only="EXERCISE --cpu")      goes with these alone; only="", with nothing
+    flag("--cycles", "...", needs="--trace")              means nothing without --trace
+    option("--fill", "...", int, needs="--to=ascii")      means nothing unless --to is ascii
+    flag("--boot", "...", excludes="--restore")           does not go with --restore
+    flag("--prove", "...", only="EXERCISE --cpu")         goes with these alone; only="", with nothing
 
 A blank parts names: one of those that an option `needs` is enough. An argument's name is in capitals; `=`
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
@@ -13,7 +13,7 @@ file, with status 2; a value that differs with the tape that is read is refused 
 
     @dataclass(frozen=True)
     class Feeding:
-        strict: Annotated[bool, option("--strict", is_flag=True, help="...")]
+        strict: Annotated[bool, flag("--strict", "...")]
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -43,9 +43,20 @@ class Option(click.Option):
         self.needs, self.excludes, self.only = needs, excludes, only
 
 
-def option(*declarations: str, **settings: Any) -> Callable[[_Function], _Function]:
-    """Return the decorator that adds an option; its settings are those of click, and of `Option`."""
-    return click.option(*declarations, cls=Option, **settings)
+def option(names: str, help: str, type: Any = None, **settings: Any) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds an option, whose help shows its default.
+
+    `names` are parted by blanks; `settings` are those of click, and of `Option`.
+    """
+    settings = {
+        "show_default": settings.get("default") not in (None, "") and "[default:" not in help
+    } | settings
+    return click.option(*names.split(), cls=Option, help=help, type=type, **settings)
+
+
+def flag(names: str, help: str, **settings: Any) -> Callable[[_Function], _Function]:
+    """Return the decorator that adds an option without a value."""
+    return option(names, help, is_flag=True, **settings)
 
 
 def declared(function: Callable[..., Any]) -> Callable[..., Any]:

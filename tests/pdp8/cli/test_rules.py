@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from pdp8.cli.shared import rules
 from pdp8.cli.shared.arguments import Command
-from pdp8.cli.shared.rules import declared, option
+from pdp8.cli.shared.rules import declared, flag, option
 from tests.pdp8.cli.test_root import EVERY
 
 LEAVES = {path: each for path, each in EVERY.items() if not isinstance(each, click.Group)}
@@ -19,18 +19,18 @@ LEAVES = {path: each for path, each in EVERY.items() if not isinstance(each, cli
 class Watching:
     """Options of a command, declared as fields."""
 
-    trace: Annotated[str | None, option("--trace")]
-    cycles: Annotated[bool, option("--cycles", is_flag=True, needs="--trace --code=bin")]
+    trace: Annotated[str | None, option("--trace", "")]
+    cycles: Annotated[bool, flag("--cycles", "", needs="--trace --code=bin")]
 
 
 @click.command(cls=Command)
 @click.argument("tapes", nargs=-1)
 @declared
-@option("--code", default="ascii")
-@option("--fill", default=6, needs="--code=ascii")
-@option("--boot/--no-boot", excludes="--trace TAPES")
-@option("--list", "listed", is_flag=True, only="TAPES --fill")
-@option("--all", "whole", is_flag=True, only="")
+@option("--code", "", default="ascii")
+@option("--fill", "", default=6, needs="--code=ascii")
+@option("--boot/--no-boot", "", excludes="--trace TAPES")
+@flag("--list listed", "", only="TAPES --fill")
+@flag("--all whole", "", only="")
 def tried(tapes: tuple[str, ...], watching: Watching, **_: object) -> None:
     """Say what it was given."""
     click.echo(f"{tapes} {watching.trace} {watching.cycles}")
