@@ -117,39 +117,50 @@ def pack(frames: bytes) -> list[int]:
 
 
 def insert(image: Image, name: str, packed: Sequence[int], date: int = 0) -> Image:
-    """Return the image with a new file in the first free place large enough. Raises TapeError if none is."""
+    """Return the image with a new file in the first free place that is large enough and can be divided.
+    Raises TapeError if none is.
+    """
     called = canonical(name)
     length = max(1, -(-len(packed) // _BLOCK))
     places = _places(image)
     if any(place.entry.name == called for place in places):
         raise TapeError(f"{called} is there already: delete it with OS/8's PIP, or give another name")
     free = [place for place in places if not place.entry.name]
-    place = next((each for each in free if each.entry.length >= length), None)
-    if place is None:
+    enough = [each for each in free if each.entry.length >= length]
+    if not enough:
         most = max((each.entry.length for each in free), default=0)
         raise TapeError(
             f"{called} needs {length} blocks; the largest free place has {most}: squeeze the tape with PIP /S"
         )
     changed = Image(array("H", image.words), image.width)
+    place = next((each for each in enough if _enter(changed, each, places, called, length, date)), None)
+    if place is None:
+        full = ", ".join(f"{number}" for number in sorted({each.segment for each in enough}))
+        raise TapeError(f"segment {full} of the directory is full: squeeze the tape with PIP /S")
+    for block in range(length):
+        _write(changed, place.entry.block + block, packed[_BLOCK * block : _BLOCK * (block + 1)])
+    return changed
+
+
+def _enter(image: Image, place: _Place, places: list[_Place], name: str, length: int, date: int) -> bool:
+    """Enter a file at a free place; return whether its segment has room, or another segment begins."""
     segment = _read(image, place.segment)
     left = place.entry.length - length
     extra = [date, *[0] * (-segment[4] & 0o7777)][: -segment[4] & 0o7777]
-    entries = [*_sixbit(called), *extra, -length & 0o7777, *([0, -left & 0o7777] if left else [])]
+    entries = [*_sixbit(name), *extra, -length & 0o7777, *([0, -left & 0o7777] if left else [])]
     before, behind = segment[: place.word], segment[place.word + 2 :]
     last = [each for each in places if each.segment == place.segment][-1]
     if last.word + _size(segment, last.word) - 2 + len(entries) <= _BLOCK:
         before[0] = segment[0] - bool(left) & 0o7777
-        _write(changed, place.segment, [*before, *entries, *behind][:_BLOCK])
+        _write(image, place.segment, [*before, *entries, *behind][:_BLOCK])
     elif place == last and not segment[2] and place.segment + 1 in _SEGMENTS:
         before[0], before[2] = segment[0] + 1 & 0o7777, place.segment + 1
         head = [-1 - bool(left) & 0o7777, place.entry.block, 0, 0, segment[4]]
-        _write(changed, place.segment, [*before, *behind][:_BLOCK])
-        _write(changed, place.segment + 1, [*head, *entries])
+        _write(image, place.segment, [*before, *behind][:_BLOCK])
+        _write(image, place.segment + 1, [*head, *entries])
     else:
-        raise TapeError(f"segment {place.segment} of the directory is full: squeeze the tape with PIP /S")
-    for block in range(length):
-        _write(changed, place.entry.block + block, packed[_BLOCK * block : _BLOCK * (block + 1)])
-    return changed
+        return False
+    return True
 
 
 def canonical(name: str) -> str:

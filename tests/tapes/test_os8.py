@@ -4,6 +4,7 @@ import os
 import random
 import string
 from array import array
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -17,12 +18,12 @@ FREE = 737 - BLOCK
 SOURCE = "*200\n\tCLA CLL\n\tHLT\n$\n"
 
 
-def formatted(*segment: int) -> dectape.Image:
-    """Return a tape with one segment of a directory, by its words."""
+def formatted(*segment: int, then: Sequence[int] = ()) -> dectape.Image:
+    """Return a tape with one segment of a directory, or two, by their words."""
     words = array("H", bytes(2 * dectape.BLOCKS * dectape.WORDS))
-    words[2 * dectape.WORDS : 2 * dectape.WORDS + len(segment)] = array(
-        "H", [word & 0o7777 for word in segment]
-    )
+    for block, half in ((2, segment[:128]), (3, segment[128:]), (4, then)):
+        start = block * dectape.WORDS
+        words[start : start + len(half)] = array("H", [word & 0o7777 for word in half])
     return dectape.Image(words)
 
 
@@ -65,6 +66,16 @@ def test_a_full_directory_and_a_full_tape_are_refused() -> None:
             break
     assert said == "segment 6 of the directory is full: squeeze the tape with PIP /S"
     assert len(os8.directory(image)) > 240
+
+
+def test_a_free_place_in_a_full_segment_is_passed_over() -> None:
+    """What was deleted left a place, but its segment has no room for another entry."""
+    files = [
+        word for number in range(41) for word in (0o0101 + number % 26, 0o0101 + number // 26, 0, 0, 0, -1)
+    ]
+    image = formatted(-42, BLOCK, 2, 0, -1, 0, -5, *files, then=(-1, BLOCK + 46, 0, 0, -1, 0, -FREE + 46))
+    *_, last, free = os8.directory(os8.insert(image, "NEW", [0]))
+    assert (last.name, last.block, free.length) == ("NEW", BLOCK + 46, FREE - 47)
 
 
 def test_a_file_may_fill_the_free_place() -> None:
