@@ -11,7 +11,7 @@ The cut surface is the path drawn with the cutter's width and round ends, as an 
 """
 
 from itertools import groupby
-from math import ceil, floor
+from math import ceil, floor, inf
 from textwrap import wrap
 
 from nc.curves import Curve, Graph
@@ -24,7 +24,7 @@ from tapes.hydrapoint import HOLE_MAKING, Preparatory
 
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25, 0.2)
-_CLOSE_HEIGHT = 430.0
+_CLOSE_LOWEST, _CLOSE_HIGHEST, _BELOW = 150.0, 430.0, 90.0
 _LINE, _LETTERS = 16.0, 130
 _LEGEND = (
     "grey: removed · blue: path of the cutter's centre; pale: later blocks; dashed: positioning",
@@ -43,13 +43,15 @@ def plot(
     zoom: tuple[float, float] = (10, 10),
     close_at: tuple[float, float] | None = None,
     unit: Unit = INCH,
+    high: float = inf,
 ) -> str:
     """Return the drawing as SVG text. `block` is the current one, counted from 1, by default the last.
 
     `cutter` (diameter), `tolerance` and `close_at`, the centre of the close view if not the current block,
     are thousandths of an inch; `unit` is that of scales and words. `curve`, if given, is drawn with its band.
-    `zoom` is the scale of the close view along X and along Y. Raises WorkError if the tape does not have that
-    block.
+    `zoom` is the scale of the close view along X and along Y. The close view is made less high for the sheet
+    to be at most `high` hundredths of an inch of paper, but not less than 150. Raises WorkError if the tape
+    does not have that block.
     """
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
@@ -59,8 +61,9 @@ def plot(
     scale = next((s for s in _SCALES if _fits(window, s)), min(_SCALES))
     top = 66 + _LINE * len(heading)
     close_top = top + window.height * scale / 10 + 90
-    bottom = close_top + _CLOSE_HEIGHT
-    sheet = Sheet(_LEFT + _WIDTH + 20, bottom + 90, f"Hydra-Point, block {current}")
+    close_height = min(max(high - close_top - _BELOW, _CLOSE_LOWEST), _CLOSE_HIGHEST)
+    bottom = close_top + close_height
+    sheet = Sheet(_LEFT + _WIDTH + 20, bottom + _BELOW, f"Hydra-Point, block {current}")
     sheet.text(_LEFT, 26, _title(path, cutter, unit), font_size=15)
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
@@ -71,7 +74,7 @@ def plot(
         _draw_axes(part, curve)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom, unit), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
-    half_width, half_height = _WIDTH / zoom[0] * 5, _CLOSE_HEIGHT / zoom[1] * 5
+    half_width, half_height = _WIDTH / zoom[0] * 5, close_height / zoom[1] * 5
     close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
     _draw_close(sheet.view(_LEFT, close_top, close, *zoom, unit), path, current, curve, cutter, tolerance)
     for row, line in enumerate(_LEGEND):

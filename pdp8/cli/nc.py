@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import replace
+from math import inf
 
 import click
 
@@ -26,7 +27,7 @@ from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Target, output
 from pdp8.cli.shared.rules import declared, flag, is_given, option, words
 from tapes.errors import naming
-from tapes.paper import PAPERS, sized, tiled
+from tapes.paper import PAPERS, area, sized, tiled
 
 
 @click.group(cls=Group)
@@ -136,6 +137,7 @@ def plot(
         zoom=(zoom, zoom),
         close_at=close_at,
         unit=metric.unit,
+        high=area(paper)[1] * 100 if paper else inf,
     )
     command.put(output, tiled(text, paper) if paper else sized(text))
 

@@ -81,6 +81,15 @@ def test_pages_have_the_whole_tape_and_a_ruler() -> None:
     assert rulers == [f"100 mm: print at 100 %; page {number} of 3" for number in (1, 2, 3)]
 
 
+@pytest.mark.parametrize("paper", ["a4", "letter"])
+@pytest.mark.parametrize("tape", ["circle", "ellipse"])
+def test_a_plot_is_one_page(paper: str, tape: str, call: Call) -> None:
+    """The part in true size; the close view takes what room is left."""
+    assert re.findall(r"page 1 of \d+", call(f"pdp8 nc plot {tape}.eia --paper {paper}")[1]) == [
+        "page 1 of 1"
+    ]
+
+
 def test_a_drawing_has_a_limit() -> None:
     with pytest.raises(TapeError, match="20,001 frames: a drawing has 20,000 at most"):
         picture.svg(bytes(20_001))
