@@ -298,6 +298,7 @@ export class Bench {
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    this.tell(`Saved as ${name}`, true);
   }
 
   /** The bundled tapes, frame by frame as a saved state has them. */
