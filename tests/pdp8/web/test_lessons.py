@@ -10,12 +10,14 @@ from pdp8.lessons.answer import assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.page import body
 from tests.pdp8.web.node import called, needs_node
-from tests.sampling import some
+from tests.sampling import WHOLE, some
 
 
 def _answers(exercise: Exercise) -> list[str]:
-    """Return the solution, five wrong answers, and what does not assemble."""
-    wrong = [exercise.solution.replace(*edit) for edit in list(exercise.mistakes.values())[:5]]
+    """Return the solution, some wrong answers, and what does not assemble."""
+    wrong = [
+        exercise.solution.replace(*edit) for edit in list(exercise.mistakes.values())[: 5 if WHOLE else 2]
+    ]
     slips = [f"{question.name}: {slip}\n" for question in exercise.questions for slip in question.slips]
     return [exercise.solution, *wrong, *slips, "*200\n\tTAB A\n$\n"]
 

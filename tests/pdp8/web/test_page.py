@@ -12,7 +12,7 @@ from pdp8.replay import Afternoon, clock
 from tests.pdp8.web import small
 from tests.pdp8.web.browsing import DESK, Page, click, in_chromium, until
 from tests.pdp8.web.follower import Follower, state
-from tests.pdp8.web.node import plain
+from tests.pdp8.web.node import needs_node, plain
 
 
 @pytest.fixture(params=small.BOTH)
@@ -54,6 +54,14 @@ _SHOWN = """() => {
 
 
 @pytest.mark.slow("a hundred instants of the page, 20 s")
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param("node", marks=needs_node),
+        pytest.param("chromium", marks=pytest.mark.rare("40 s; nothing is asked of the browser")),
+    ],
+    indirect=True,
+)
 def test_any_instant_is_that_of_the_machine(page: Page, circle: Afternoon) -> None:
     """In any order: lamps, switches, registers, current line, all of its state, as one that goes forward."""
     steps = [_translating(circle, 0.0773 + step * 0.00004) for step in range(30)]
