@@ -67,7 +67,7 @@ def find(
         for at, said in code.uneven(frames)
         if at not in passed
     ]
-    return sorted(found)
+    return sorted(found, key=lambda doubt: doubt.frame)
 
 
 def others(frames: bytes, code: Code) -> list[tuple[range, Code]]:

@@ -170,3 +170,12 @@ def test_ten_doubts_are_told_and_the_others_counted(count: int, last: str) -> No
     *first, ended = [what for name, what in measure.report(bytes(tape)) if name == "doubt"]
     assert ended.startswith(last)
     assert len(first) == 10 - (count == 10)
+
+
+def test_an_end_of_block_may_be_in_doubt_for_two_reasons() -> None:
+    block = "0123456789012345678\n"
+    tape = bytearray(ascii.encode(block * 9 + "\n" + block * 9))
+    tape[9 * 27 + 1] ^= 0o200
+    said = [value for name, value in measure.report(bytes(tape)) if name == "doubt"]
+    first = "frame 244: 012 (LF) breaks the tape's parity, mark; likely 212 (LF), channel 8"
+    assert said == [first, "frame 244: an end of block without a block"]
