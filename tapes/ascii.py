@@ -97,9 +97,6 @@ class _Ascii(Characters):
     def caption(self, frame: int) -> str:
         return name(frame)
 
-    def line_end(self) -> int:
-        return LF
-
     def lines(self, frames: bytes) -> list[tuple[int, str]]:
         return lines_of(frames.translate(strip.PARITIES["none"]).decode("ascii"), 0, "\0\r\x7f")
 
@@ -202,4 +199,4 @@ def said(pieces: list[tuple[str, int]]) -> str:
     return ", ".join([*(f"{name} to frame {end - 1}" for name, end in pieces[:-1]), pieces[-1][0]])
 
 
-ASCII: Final = _Ascii("ascii", "ASCII", "an ASCII tape", "#f1dfae")
+ASCII: Final = _Ascii("ascii", "ASCII", "an ASCII tape", "#f1dfae", line_end=LF)

@@ -8,7 +8,6 @@ Words        a format of words for core, in loaders.py: BIN, RIM
 from collections.abc import Callable, Collection, Iterable
 from typing import Final, NamedTuple
 
-from tapes.errors import TapeError
 from tapes.frames import BLANK, CHANNEL_8, LABEL_GAP, skip
 from tapes.hydrapoint import DIGITS
 from tapes.quantities import counted
@@ -41,17 +40,29 @@ class Rule(NamedTuple):
 class Code:
     """A tape code.
 
-    name     as the options --code and --to take it
-    title    as `pdp8 tape info` calls it
-    article  as messages speak of such a tape
-    paper    the colour of its paper on the page
+    name      as the options --code and --to take it
+    title     as `pdp8 tape info` calls it
+    article   as messages speak of such a tape
+    paper     the colour of its paper on the page
+    leader    the frame of which leader and trailer consist
+    line_end  the character that ends a line, without channel 8 if that is parity
     """
 
-    def __init__(self, name: str, title: str, article: str, paper: str = "#dde3d3") -> None:
+    def __init__(
+        self,
+        name: str,
+        title: str,
+        article: str,
+        paper: str = "#dde3d3",
+        leader: int = 0o200,
+        line_end: int = 0o200,
+    ) -> None:
         self.name = name
         self.title = title
         self.article = article
         self.paper = paper
+        self.leader = leader
+        self.line_end = line_end
 
     def likelihood(self, frames: bytes) -> float:
         """Return how likely a tape is in this code, from 0.0 to WHOLE."""
@@ -73,10 +84,6 @@ class Code:
         """Return what `pdp8 tape info` says of a tape in this code beside its length."""
         return []
 
-    def leader(self) -> int:
-        """Return the frame of which leader and trailer consist."""
-        return 0o200
-
     def gaps(self, frames: bytes) -> tuple[range, ...]:
         """Return runs of blank tape inside the data, if they are no data."""
         return ()
@@ -84,10 +91,6 @@ class Code:
     def uneven(self, frames: bytes) -> list[tuple[int, str]]:
         """Return the first frame of each block that is not as long as nearly all others, and what it is."""
         return []
-
-    def line_end(self) -> int:
-        """Return the character that ends a line, without channel 8 if that is parity."""
-        return 0o200
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return the rule of its frames, `doubtful` ones apart; None if frames cannot show faults."""
@@ -164,17 +167,7 @@ class Characters(Code):
 
     def has_lines(self, frames: bytes) -> bool:
         """Whether some line ends."""
-        end = self.line_end()
-        return end in frames or (end < CHANNEL_8 and end | CHANNEL_8 in frames)
-
-
-def fault(read: Callable[[bytes], object], frames: bytes) -> str | None:
-    """Return the message of the TapeError that `read` raises of a tape, None if it raises none."""
-    try:
-        read(frames)
-    except TapeError as error:
-        return str(error)
-    return None
+        return self.line_end in frames or self.line_end | CHANNEL_8 in frames
 
 
 def lines_of(text: str, at: int, fill: str) -> list[tuple[int, str]]:

@@ -58,6 +58,6 @@ def start(frames: bytes) -> int:
     """Return the frame on which an operator sets the tape: a loader tape's leader, any other's first."""
     code = recognise(frames)
     if isinstance(code, Words):
-        return code.start(frames)
+        return code.known(frames).start
     leader = leader_start(frames)
     return 0 if leader is None or label_before(frames, leader) else leader

@@ -57,7 +57,7 @@ def find(
     ]
     if len(wrong) > MOST_WRONG * len(frames.replace(b"\0", b"")):
         return found
-    context = _Context(frames, code.line_end())
+    context = _Context(frames, code.line_end)
     found += [_doubt(at, frames, code, rule, context) for at in wrong]
     for gap in code.gaps(frames):
         said = f"{counted(len(gap), 'blank frames')} inside the data, as at a splice"

@@ -117,9 +117,6 @@ class _Eia(Characters):
     def caption(self, frame: int) -> str:
         return name(frame)
 
-    def leader(self) -> int:
-        return BLANK
-
     def likelihood(self, frames: bytes) -> float:
         """Return almost WHOLE if every frame has a code and blocks end."""
         has_blocks = EOB in frames.lstrip(bytes([EOB])) and not frames.startswith(LEAST_LEADER)
@@ -180,4 +177,4 @@ class _Eia(Characters):
         return "is an EIA tape: a program for ASCII finds no character on it"
 
 
-EIA: Final = _Eia("eia", "EIA RS-244", "an EIA tape", "#ebe6d4")
+EIA: Final = _Eia("eia", "EIA RS-244", "an EIA tape", "#ebe6d4", leader=BLANK)

@@ -55,12 +55,6 @@ class _Ita2(Characters):
         """Return the character of each frame in the shift that it is in."""
         return [_NAMES.get(said, said) for said in _shifted(frames)]
 
-    def line_end(self) -> int:
-        return _LETTERS.index("\n")
-
-    def leader(self) -> int:
-        return BLANK
-
     def likelihood(self, frames: bytes) -> float:
         """Just under MOSTLY if it begins with a shift or has line ends and no frame has a sixth channel; in a
         tape of several lines nine in ten frames have none.
@@ -97,4 +91,4 @@ def _shifted(frames: bytes) -> list[str]:
     return said
 
 
-ITA2: Final = _Ita2("ita2", "five-level, ITA2 (telex)", "an ITA2 tape", "#f0e2b6")
+ITA2: Final = _Ita2("ita2", "five-level, ITA2 (telex)", "an ITA2 tape", "#f0e2b6", BLANK, _LINE_END[1])

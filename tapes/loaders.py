@@ -11,10 +11,10 @@ Formats: binary.py and rim.py.
 
 from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
-from typing import Final
+from typing import Final, NamedTuple
 
 from tapes import ascii, binary, rim
-from tapes.code import LABELLED, LED, MOSTLY, PERHAPS, WHOLE, Code, Row, Rule, fault, nearly_all
+from tapes.code import LABELLED, LED, MOSTLY, PERHAPS, WHOLE, Code, Row, Rule, nearly_all
 from tapes.errors import TapeError
 from tapes.frames import (
     BLANK,
@@ -32,7 +32,17 @@ from tapes.quantities import counted, ranges
 
 _FITTING = 8
 """Frames: one in 65,000 begins so by chance."""
-_NO_WORD = bytes([BLANK, LEADER, RUBOUT])
+_NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout"}
+_NO_WORD = bytes(_NAMES)
+
+
+class Known(NamedTuple):
+    """What is known of a tape: its damage, its labels, what it lacks, and where an operator sets it."""
+
+    damage: TapeError | None
+    labels: tuple[range, ...] = ()
+    notes: tuple[str, ...] = ()
+    start: int = 0
 
 
 class Words(Code):
@@ -50,26 +60,22 @@ class Words(Code):
         """Return {address: word} of a damaged tape as far as it can be read. Raises TapeError."""
         raise NotImplementedError
 
+    def known(self, frames: bytes) -> Known:
+        """Return what is known of a tape, whatever its damage."""
+        raise NotImplementedError
+
     def damage(self, frames: bytes) -> TapeError | None:
         """Return what is wrong with a tape, None if nothing is."""
-        raise NotImplementedError
+        return self.known(frames).damage
 
     def labels(self, frames: bytes) -> tuple[range, ...]:
         """Return the frames of labels: before the leader, after the last trailer."""
-        raise NotImplementedError
-
-    def start(self, frames: bytes) -> int:
-        """Return the frame on which an operator sets the tape; 0 if it cannot be read."""
-        raise NotImplementedError
-
-    def notes(self, frames: bytes) -> tuple[str, ...]:
-        """Return what a tape lacks, and what is passed over for that. Raises TapeError."""
-        raise NotImplementedError
+        return self.known(frames).labels
 
     def left_out(self, frames: bytes) -> tuple[str, ...]:
         """Return what to say of a tape beside its program: labels, what it lacks, a good section after it."""
-        labels = [f"a label of {_place(label)}, left out" for label in self.labels(frames)]
-        return (*labels, *self.notes(frames))
+        known = self.known(frames)
+        return (*(f"a label of {_place(label)}, left out" for label in known.labels), *known.notes)
 
     def likelihood(self, frames: bytes) -> float:
         """Return how likely a tape is in this format; one of characters, without leader, is a text."""
@@ -139,23 +145,12 @@ class _Bin(Words):
     def readable(self, frames: bytes) -> dict[int, int]:
         return binary.content(binary.read(frames)).words
 
-    def damage(self, frames: bytes) -> TapeError | None:
+    def known(self, frames: bytes) -> Known:
         try:
-            return binary.find_damage(binary.read(frames))
+            reading = binary.read(frames)
         except TapeError as error:
-            return error
-
-    def labels(self, frames: bytes) -> tuple[range, ...]:
-        try:
-            return binary.read(frames).labels
-        except TapeError:
-            return ()
-
-    def start(self, frames: bytes) -> int:
-        return 0 if fault(binary.read, frames) else binary.read(frames).start
-
-    def notes(self, frames: bytes) -> tuple[str, ...]:
-        return binary.read(frames).notes
+            return Known(error)
+        return Known(binary.find_damage(reading), reading.labels, reading.notes, reading.start)
 
     def left_out(self, frames: bytes) -> tuple[str, ...]:
         start = binary.find_apart(frames, binary.read(frames))
@@ -205,9 +200,10 @@ class _Bin(Words):
 
     def report(self, frames: bytes) -> list[Row]:
         """Return checksums, counts, addresses, labels and damage."""
-        if damage := fault(binary.read, frames):
-            return [("damage", damage)]
-        reading = binary.read(frames)
+        try:
+            reading = binary.read(frames)
+        except TapeError as error:
+            return [("damage", str(error))]
         first = (reading.sections[0].items if reading.sections else ()) or reading.unended
         first = tuple(item for item in first if item.kind != binary.FIELD)
         if first and first[0].kind == binary.WORD:
@@ -223,7 +219,7 @@ class _Bin(Words):
             rows.append(("holds", ", ".join(holds)))
         if reading.damage:
             rows.append(("damage", str(reading.damage)))
-        if fault(binary.decode, frames) is None:
+        if binary.find_damage(reading) is None:
             rows.append(("core", ranges(binary.content(reading).words)))
         rows += [("note", note) for note in reading.notes]
         rows += _labels(frames, reading.labels)
@@ -248,23 +244,12 @@ class _Rim(Words):
     def readable(self, frames: bytes) -> dict[int, int]:
         return rim.read(frames).words
 
-    def damage(self, frames: bytes) -> TapeError | None:
+    def known(self, frames: bytes) -> Known:
         try:
-            return rim.read(frames).damage
+            reading = rim.read(frames)
         except TapeError as error:
-            return error
-
-    def labels(self, frames: bytes) -> tuple[range, ...]:
-        try:
-            return rim.read(frames).labels
-        except TapeError:
-            return ()
-
-    def start(self, frames: bytes) -> int:
-        return 0 if fault(rim.read, frames) else rim.read(frames).start
-
-    def notes(self, frames: bytes) -> tuple[str, ...]:
-        return rim.read(frames).notes
+            return Known(error)
+        return Known(reading.damage, reading.labels, reading.notes, reading.start)
 
     def _whole(self, frames: bytes) -> float:
         led = frames[0] >= LEADER  # without leader it may be in EIA, whose end of block would be a trailer
@@ -286,9 +271,10 @@ class _Rim(Words):
 
     def report(self, frames: bytes) -> list[Row]:
         """Return the count of words, their addresses, labels and damage."""
-        if damage := fault(rim.read, frames):
-            return [("damage", damage)]
-        reading = rim.read(frames)
+        try:
+            reading = rim.read(frames)
+        except TapeError as error:
+            return [("damage", str(error))]
         held = ("holds", f"{counted(len(reading.words), 'words')}; RIM has no checksum")
         damages = [("damage", str(reading.damage))] * (reading.damage is not None)
         notes = [("note", note) for note in reading.notes]
@@ -296,7 +282,7 @@ class _Rim(Words):
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return RIM's order: an address every four frames, and channel 7 in its first only."""
-        start = skip(frames, self.start(frames), LEADER)
+        start = skip(frames, self.known(frames).start, LEADER)
         return Rule(
             "RIM's order",
             lambda at, frame: at < start or frame == LEADER or frame >> 6 == ((at - start) % 4 == 0),
@@ -320,13 +306,7 @@ def _by_words(content: bytes, ended: bool) -> bool:
 
 
 def _single(frame: int) -> str:
-    if frame == LEADER:
-        return "leader"
-    if frame == RUBOUT:
-        return "rubout"
-    if frame == BLANK:
-        return "blank"
-    return f"field {frame >> 3 & 7}" if frame >> 6 == 3 else "?"
+    return _NAMES.get(frame) or (f"field {frame >> 3 & 7}" if frame >> 6 == 3 else "?")
 
 
 def _labels(frames: bytes, labels: tuple[range, ...]) -> Iterator[Row]:

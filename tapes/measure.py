@@ -23,7 +23,7 @@ def report(tape: bytes) -> list[Row]:
     found = doubts.find(tape, code, others)
     way = redundancy.turned(tape)
     control = controls.other_control(tape, code)
-    pieces = frames.strip(tape, code.leader())
+    pieces = frames.strip(tape, code.leader)
     return [
         ("tape", code.title if tape else "empty"),
         ("frames", f"{len(tape):,}: leader {len(pieces.leader)}, trailer {len(pieces.trailer)}"),

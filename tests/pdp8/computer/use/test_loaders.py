@@ -138,7 +138,7 @@ def judged(tape: Made) -> None:
     found = {at: word for at, word in code.decode(tape.frames).items() if word}
     if not tape.faulty:
         assert (code.name, found) == (tape.kind, {at: word for at, word in tape.words.items() if word})
-    start = code.start(tape.frames)
+    start = code.known(tape.frames).start
     if found != core and not code.left_out(tape.frames):
         assert found == loaded(tape.kind, tape.frames[start:])[0]
 
