@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, BinaryIO
 
 from tapes.errors import WorkError, called
-from tapes.utf16 import is_utf16
+from tapes.text import is_utf16
 
 if TYPE_CHECKING:
     from pdp8.computer.use.program import Program

@@ -23,7 +23,6 @@ measure     what can be said of a tape: its length, time, lines, checksum
 quantities  counts, times, lengths and addresses as they are said
 convert     from one code to another
 text        lines of text
-utf16       text that is no tape
 expression  y = f(x) as a command takes it
 os8         files of OS/8 on a DECtape
 errors      what is raised when the work given is wrong

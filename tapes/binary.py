@@ -114,26 +114,20 @@ def tape(body: bytes, checksum: int) -> bytes:
 def encode(words: Mapping[int, int]) -> bytes:
     """Punch {address: word} in one section, in order. Raises TapeError for one beyond 77777, or 7777."""
     body = bytearray()
-    summed = 0
-    following: int | None = None
-    current = 0
+    following, current = -1, 0
     for address in sorted(words):
         if not 0 <= address <= 0o77777:
             raise TapeError(f"address {address:o}: a BIN tape can name only 00000 to 77777")
         if address >> 12 != current:
             current = address >> 12
             body += field(current)
-            following = None
+            following = -1
         if address != following:
-            start = origin(address)
-            summed += sum(start)
-            body += start
+            body += origin(address)
         check_word(address, words[address])
-        frames = word(words[address])
-        summed += sum(frames)
-        body += frames
+        body += word(words[address])
         following = address + 1
-    return tape(bytes(body), summed)
+    return tape(bytes(body), sum(frame for frame in body if frame < 0o300))
 
 
 def decode(frames: bytes) -> Content:

@@ -9,23 +9,7 @@ Each becomes a function of x; what cannot be read is refused with its column.
 """
 
 from collections.abc import Callable
-from math import (
-    acos,
-    asin,
-    atan,
-    cos,
-    cosh,
-    exp,
-    fabs,
-    isfinite,
-    log,
-    pow,
-    sin,
-    sinh,
-    sqrt,
-    tan,
-    tanh,
-)
+from math import acos, asin, atan, cos, cosh, exp, fabs, isfinite, log, pow, sin, sinh, sqrt, tan, tanh
 from typing import Final, NoReturn
 
 from tapes.errors import WorkError

@@ -157,25 +157,14 @@ XY_FEED: Final = {code: rates.xy_feed for code, rates in TOOL_FUNCTION.items()}
 Z_FEED: Final = {code: rates.z_feed for code, rates in TOOL_FUNCTION.items()}
 """Feed of Z in inches a minute, by tool function code."""
 
-SPINDLE: Final = {code: rates.spindle for code, rates in TOOL_FUNCTION.items()} | {
-    21: 525,
-    22: 625,
-    23: 760,
-    24: 875,
-    25: 1015,
-    26: 1140,
-    27: 1300,
-    28: 1450,
-    29: 1610,
-    30: 1800,
-    31: 2000,
-    32: 2225,
-    33: 2470,
-    34: 2740,
-    35: 3100,
-    36: 3450,
-    37: 3830,
-    38: 4090,
+_FASTER: Final = (
+    525, 625, 760, 875, 1015, 1140, 1300, 1450, 1610, 1800, 2000, 2225, 2470, 2740, 3100, 3450, 3830, 4090,
+)  # fmt: skip
+"""Spindle speeds of codes 21 to 38, the right half of Table 2.4."""
+
+SPINDLE: Final = {
+    **{code: rates.spindle for code, rates in TOOL_FUNCTION.items()},
+    **dict(enumerate(_FASTER, 21)),
 }
 """Spindle speed in revolutions a minute, by tool function code; both halves of Table 2.4."""
 

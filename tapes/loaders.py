@@ -46,7 +46,13 @@ class Known(NamedTuple):
 
 
 class Words(Code):
-    """A code of words for core. A subclass says how they are punched and read."""
+    """A code of words for core, `by_words` if each has its address. A subclass says how they are punched and
+    read.
+    """
+
+    def __init__(self, name: str, title: str, article: str, by_words: bool) -> None:
+        super().__init__(name, title, article)
+        self._by_words = by_words
 
     def encode(self, words: Mapping[int, int]) -> bytes:
         """Punch {address: word}. Raises TapeError for what the format cannot name."""
@@ -95,26 +101,18 @@ class Words(Code):
         """Return how likely a damaged tape without leader is in this format: its first frames have to fit."""
         damage = self.damage(frames)
         fits = damage is None or (damage.frame or 0) >= _FITTING
-        steps = self._steps(_by_words(strip(frames).body, ended=False))
+        steps = _by_words(strip(frames).body, ended=False) == self._by_words
         return PERHAPS / 2 if frames[0] >> 6 == 1 and fits and steps else 0.0
 
     def _whole(self, frames: bytes) -> float:
         """Return WHOLE if the loader reads the tape, a little less if that says little, else 0.0."""
         raise NotImplementedError
 
-    def _empty(self) -> float:
-        """Return how likely a tape is in this format that is nothing but leader."""
-        return 0.0
-
-    def _steps(self, by_words: bool) -> bool:
-        """Whether a tape is in this format whose addresses come `by_words`, every four frames, or do not."""
-        raise NotImplementedError
-
     def _likelihood(self, frames: bytes) -> float:
         _, content, trailer = strip(frames)
         if not content:
-            return self._empty()
-        if not begins_as_words(frames, content) or not self._steps(_by_words(content, LEADER in trailer)):
+            return 0.0 if self._by_words else MOSTLY
+        if not begins_as_words(frames, content) or _by_words(content, LEADER in trailer) != self._by_words:
             return 0.0
         return LED if frames.startswith(LEAST_LEADER) and not _has_lines(content) else PERHAPS
 
@@ -163,12 +161,6 @@ class _Bin(Words):
             return 0.0
         held = [item for section in reading.sections for item in section.items if item.kind == binary.WORD]
         return WHOLE if held else 0.95 * WHOLE
-
-    def _empty(self) -> float:
-        return MOSTLY
-
-    def _steps(self, by_words: bool) -> bool:
-        return not by_words
 
     def _between(self, frames: bytes) -> list[str]:
         said: list[str] = []
@@ -255,9 +247,6 @@ class _Rim(Words):
         led = frames[0] >= LEADER  # without leader it may be in EIA, whose end of block would be a trailer
         return (WHOLE if led else LABELLED) if rim.read_whole(frames) else 0.0
 
-    def _steps(self, by_words: bool) -> bool:
-        return by_words
-
     def _between(self, frames: bytes) -> list[str]:
         said: list[str] = []
         while len(said) < len(frames):
@@ -289,8 +278,8 @@ class _Rim(Words):
         )
 
 
-BIN: Final = _Bin("bin", "BIN, DEC's binary loader format", "a BIN tape")
-RIM: Final = _Rim("rim", "RIM, DEC's read-in mode format", "a RIM tape")
+BIN: Final = _Bin("bin", "BIN, DEC's binary loader format", "a BIN tape", by_words=False)
+RIM: Final = _Rim("rim", "RIM, DEC's read-in mode format", "a RIM tape", by_words=True)
 
 
 def _has_lines(content: bytes) -> bool:

@@ -7,6 +7,8 @@ A line ends at CR LF, CR or LF. A form feed, a vertical tab or a separator of Un
 import re
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+_LITTLE, _BIG = b"\xff\xfe", b"\xfe\xff"
+_NO_CHARACTER = 0xFFFD
 _ENDED = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+")
 
 
@@ -26,3 +28,13 @@ def in_ascii(content: bytes) -> str:
     """Return a file as text, without a byte order mark; "" for one that is not all ASCII."""
     text = content[3:] if content.startswith(_BYTE_ORDER_MARK) else content
     return "" if not text.isascii() or b"\0" in text else text.decode("ascii")
+
+
+def is_utf16(content: bytes) -> bool:
+    """Whether a file is UTF-16, as PowerShell's > writes it: its mark, then Latin scripts or stray bytes."""
+    if content[:2] not in (_LITTLE, _BIG):
+        return False
+    low, high = (0, 1) if content[:2] == _LITTLE else (1, 0)
+    codes = [content[at + high] << 8 | content[at + low] for at in range(2, len(content) - 1, 2)]
+    plain = sum(code < 0x100 or code == _NO_CHARACTER for code in codes)
+    return 0 < len(codes) <= 4 * plain

@@ -12,8 +12,7 @@ from pdp8.lessons.answer import Answer
 from tapes import codes
 from tapes.errors import WorkError, called
 from tapes.loaders import Words
-from tapes.text import lines_of
-from tapes.utf16 import is_utf16
+from tapes.text import is_utf16, lines_of
 
 LARGEST = 16 * 1024
 LONGEST = 200

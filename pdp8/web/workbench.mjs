@@ -25,7 +25,7 @@ import { Goal } from "../computer/use/goals.mjs";
 import { Listing } from "../computer/use/trace.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { unspelled } from "../../tapes/dump.mjs";
-import { is_utf16 } from "../../tapes/utf16.mjs";
+import { is_utf16 } from "../../tapes/text.mjs";
 import { html, ours, put } from "./html.mjs";
 import { READABLE } from "./pictures.mjs";
 import { bytes, set } from "./translator/runtime.mjs";

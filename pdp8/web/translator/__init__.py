@@ -32,8 +32,8 @@ from tapes import codes
 _CODES = sorted({type(code).__module__.removeprefix("tapes.") for code in codes.CODES})
 
 MODULES = {
-    "tapes": "binary code codes dectape dump errors expression frames hydrapoint quantities rim spelled text"
-    " utf16 " + " ".join(_CODES),
+    "tapes": "binary code codes dectape dump errors expression frames hydrapoint quantities rim spelled text "
+    + " ".join(_CODES),
     "pal": "assembler assembling assembly assembly3 diagnostics dialects disassembler isa listing meaning"
     " messages models notes punch recognition review source symbols table watched",
     "pal.pal8": "assembler assembly expressions lexer literals log operators output symbols table",

@@ -17,7 +17,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.lessons import form
 from tapes import binary
-from tapes.utf16 import is_utf16
+from tapes.text import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell
 
