@@ -6,8 +6,7 @@ saved in a file of its own. What nobody saved is left beside the file it came fr
 
 import os
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from functools import partial
+from collections.abc import Iterable, Iterator, Sequence
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
@@ -25,26 +24,33 @@ _LONGEST = 8 << 20
 
 
 class Reels:
-    """The reels on the drives of a control, the discs of a DF32, and the files they came from."""
+    """The reels on the drives of a control, the discs of a DF32, and the files they came from.
+
+    Each goes by SIMH's name of its device, dt0 to dt7 or df.
+    """
 
     def __init__(self, drives: Sequence[Transport] = ()) -> None:
         self.drives = drives
-        self.names: dict[int, str] = {}
-        """The files, by drives."""
-        self.discs: DF32 | None = None
-        self.discs_name = "df.df32"
+        self.discs = DF32()
+        self.names: dict[str, str] = {}
+        """The files, by devices."""
         self.discs_kept = b""
         """What was on the discs when they were filled or saved."""
 
     def look_at(self, machine: Machine) -> None:
         """Turn to the drives and discs of a machine; none where there are none."""
-        before = self.discs
-        self.discs = next((each for each in machine.devices if isinstance(each, DF32)), None)
-        if self.discs and not before:
-            self.discs_kept = self.discs.content
         self.drives = drives(machine.devices)
-        mounted = [unit for unit, drive in enumerate(self.drives) if drive.image is not None]
-        self.names = {unit: self.names.get(unit, f"dt{unit}.tu56") for unit in mounted}
+        mounted = {f"dt{unit}": "tu56" for unit, drive in enumerate(self.drives) if drive.image is not None}
+        for each in machine.devices:
+            if isinstance(each, DF32):
+                self.discs, mounted["df"] = each, "df32"
+                if "df" not in self.names:
+                    self.discs_kept = each.content
+        self.names = {device: self.names.get(device, f"{device}.{kind}") for device, kind in mounted.items()}
+
+    def devices(self) -> list[str]:
+        """Return the devices on which something is."""
+        return sorted(self.names, key=lambda device: (device == "df", device))
 
     def images(self) -> list[dectape.Image]:
         """Return the reels as they were mounted."""
@@ -53,8 +59,8 @@ class Reels:
     def read(self, unit: int, name: str) -> tuple[dectape.Image, list[str]]:
         """Return the reel in a file that is to go on a drive, and notes about it. Raises WorkError."""
         for other, before in self.names.items():
-            if other != unit and shelf.identity(shelf.find(before)) == shelf.identity(shelf.find(name)):
-                raise WorkError(f"{name} is on drive {other}: a reel is on one drive")
+            if other not in ("df", f"dt{unit}") and _same(before, shelf.find(name)):
+                raise WorkError(f"{name} is on {_place(other)}: a reel is on one drive")
         with naming(name):
             return dectape.decode(shelf.read(name, _LONGEST))
 
@@ -62,77 +68,75 @@ class Reels:
         """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""
         image, notes = self.read(unit, name)
         self.drives[unit].mount(image, locked)
-        self.names[unit] = name
+        self.names[f"dt{unit}"] = name
         return notes
-
-    def changed(self, unit: int) -> int:
-        """Return how many blocks of a reel were written since it was mounted or saved."""
-        return len(self.drives[unit].blocks)
-
-    def said(self, unit: int) -> str:
-        """Say how many blocks were written."""
-        return f"drive {unit}: {counted(self.changed(unit), 'blocks')} of {self.names[unit]} changed"
-
-    def save(self, unit: int, name: str) -> str:
-        """Save a reel as it is now; return what to say of it. Raises WorkError, and the reel stays."""
-        reel = self.drives[unit].written()
-        if reel is None:
-            raise WorkError(f"drive {unit}: no tape is mounted")
-        if any(shelf.identity(shelf.find(each)) == shelf.identity(name) for each in self.names.values()):
-            raise WorkError(f"{name} was mounted; name another file")
-        return shelf.told(name, shelf.write(name, reel.content()))
 
     def fill(self, name: str) -> None:
         """Put an image onto the discs of the DF32. Raises WorkError, and changes nothing then."""
-        content, discs = shelf.read(name), self.discs or DF32()
+        content = shelf.read(name)
         try:
-            discs.content = content
+            self.discs.content = content
         except ValueError as error:
             raise WorkError(f"{name}: {error}") from error
-        self.discs_name, self.discs_kept = name, content
+        self.names["df"], self.discs_kept = name, content
 
-    def empty(self) -> None:
-        """Take the image off the discs."""
-        if self.discs:
-            self.discs.content = bytes(len(self.discs.content))
-            self.discs_name, self.discs_kept = "df.df32", self.discs.content
+    def take_off(self, device: str) -> None:
+        """Take the reel off its drive, or the image off the discs."""
+        del self.names[device]
+        if device != "df":
+            self.drives[drive(device)].mount(None)
+            return
+        self.discs_kept = self.discs.content = bytes(len(self.discs.content))
+        self.names[device] = "df.df32"
 
-    def said_of_discs(self) -> str:
-        """Say how many words of the discs were written and not saved, "" for none."""
-        now = self.discs.content if self.discs else self.discs_kept
-        pairs = zip(now[::2], now[1::2], self.discs_kept[::2], self.discs_kept[1::2], strict=False)
-        words = sum((low, high) != (before, above) for low, high, before, above in pairs)
-        return f"df: {counted(words, 'words')} of {self.discs_name} changed" if words else ""
+    def changed(self, device: str) -> int:
+        """Return how many blocks of a reel, or words of the discs, were written and not saved."""
+        if device != "df":
+            return len(self.drives[drive(device)].blocks)
+        now, kept = self.discs.content, self.discs_kept
+        pairs = zip(now[::2], now[1::2], kept[::2], kept[1::2], strict=False)
+        return sum((low, high) != (before, above) for low, high, before, above in pairs)
 
-    def save_discs(self, name: str) -> str:
-        """Save the discs as they are now; return what to say of it. Raises WorkError."""
-        if shelf.identity(shelf.find(self.discs_name)) == shelf.identity(name):
+    def said(self, device: str) -> str:
+        """Say how much was written and not saved, "" for nothing or no medium."""
+        number = self.changed(device) if device in self.names else 0
+        what = counted(number, "words" if device == "df" else "blocks")
+        return f"{_place(device)}: {what} of {self.names[device]} changed" if number else ""
+
+    def save(self, device: str, name: str) -> str:
+        """Save a reel or the discs as they are now; return what to say of it. Raises WorkError."""
+        if device not in self.names:
+            raise WorkError(f"{_place(device)}: no tape is mounted")
+        if any(_same(each, name) for each in self.names.values()):
             raise WorkError(f"{name} was mounted; name another file")
-        content = self.discs.content if self.discs else self.discs_kept
-        said = shelf.told(name, shelf.write(name, content))
-        self.discs_kept = content
+        if device == "df":
+            said = shelf.told(name, shelf.write(name, self.discs.content))
+            self.discs_kept = self.discs.content
+            return said
+        on = self.drives[drive(device)]
+        reel = on.written() or dectape.blank()
+        said = shelf.told(name, shelf.write(name, reel.content()))
+        on.image, on.blocks = reel, {}
         return said
-
-    def unmount(self, unit: int) -> None:
-        """Take the reel off the drive."""
-        self.drives[unit].mount(None)
-        self.names.pop(unit, None)
 
     def rescue(self) -> Iterator[str]:
         """Save each changed reel, and changed discs, beside their file; yield a message for each."""
-        changed: list[tuple[str, str, Callable[[str], str]]] = [
-            (self.said(unit), self.names[unit], partial(self.save, unit))
-            for unit, drive in enumerate(self.drives)
-            if drive.blocks
-        ]
-        if of_discs := self.said_of_discs():
-            changed.append((of_discs, self.discs_name, self.save_discs))
-        for written, name, save in changed:
-            try:
-                said = save(_free(name))
-            except WorkError:
-                said = save(_free(os.path.join(tempfile.gettempdir(), os.path.basename(name))))
-            yield f"{written}, and not saved: {said}"
+        for device in self.devices():
+            if written := self.said(device):
+                try:
+                    said = self.save(device, _free(self.names[device]))
+                except WorkError:
+                    name = os.path.basename(self.names[device])
+                    said = self.save(device, _free(os.path.join(tempfile.gettempdir(), name)))
+                yield f"{written}, and not saved: {said}"
+
+
+def _place(device: str) -> str:
+    return device if device == "df" else f"drive {drive(device)}"
+
+
+def _same(before: str, name: str) -> bool:
+    return shelf.identity(shelf.find(before)) == shelf.identity(name)
 
 
 def drives(devices: Iterable[Peripheral]) -> Sequence[Transport]:

@@ -569,7 +569,7 @@ def _reels(options: Options, machine: Machine) -> "Reels | None":
     from pdp8.reels import Reels
 
     mounted = Reels()
-    mounted.names = _by_drive(options.dectape)
+    mounted.names = {f"dt{unit}": name for unit, name in _by_drive(options.dectape).items()}
     mounted.look_at(machine)
     if options.disk is not None:
         mounted.fill(_disk_file(options.disk))
@@ -580,13 +580,12 @@ def _save_mounted(options: Options, mounted: "Reels | None", failures: list[Shel
     """Save the reels and the disk that were to be saved, and what else was written on some."""
     if mounted is None:
         return
-    for unit, name in _by_drive(options.save_dectape).items():
-        with _noted(failures):
-            command.say(mounted.save(unit, name))
-            mounted.drives[unit].blocks = {}
+    files = {f"dt{unit}": name for unit, name in _by_drive(options.save_dectape).items()}
     if options.save_disk is not None:
+        files["df"] = _disk_file(options.save_disk)
+    for device, name in files.items():
         with _noted(failures):
-            command.say(mounted.save_discs(_disk_file(options.save_disk)))
+            command.say(mounted.save(device, name))
     if options.save is None:
         for said in mounted.rescue():
             command.say(said)

@@ -63,50 +63,42 @@ def fitted(monitor: Monitor, kind: str) -> bool:
 
 def attach(monitor: Monitor, device: str, name: str, locked: bool = False) -> None:
     """Mount a DECtape image on a drive, or fill the discs of a DF32. The file is not written."""
-    mounted = monitor.reels
-    if device.lower().startswith("df"):
-        _check_saved(mounted.said_of_discs(), device)
+    mounted, place = monitor.reels, _place(device)
+    _check_saved(monitor, place, device if place == "df" else place)
+    where = "the DF32"
+    if place == "df":
         fit(monitor, "df")
         mounted.fill(name)
-        monitor.say(f"{name} is on the DF32; the file itself is not written")
-        return
-    unit = reels.drive(device)
-    _check_saved(_written(monitor, unit), f"dt{unit}")
-    mounted.read(unit, name)
-    fit(monitor, "dt")
-    for note in mounted.mount(unit, name, locked):
-        monitor.say(f"{name}: {note}")
-    monitor.say(f"{name} is on dt{unit}{', locked' if locked else ''}; the file itself is not written")
+    else:
+        unit = reels.drive(place)
+        mounted.read(unit, name)
+        fit(monitor, "dt")
+        for note in mounted.mount(unit, name, locked):
+            monitor.say(f"{name}: {note}")
+        where = f"{place}{', locked' if locked else ''}"
+    monitor.say(f"{name} is on {where}; the file itself is not written")
 
 
 def detach(monitor: Monitor, device: str, where: str) -> None:
     """Take a DECtape off its drive, or empty the discs; save them in FILE, or forget what was written."""
-    mounted = monitor.reels
-    discs = device.lower().startswith("df")
-    unit = 0 if discs else reels.drive(device)
-    if not discs and unit not in mounted.names:
-        raise MonitorError(f"dt{unit}: no tape is mounted")
-    if discs and not mounted.discs:
-        raise MonitorError(_NO_DISCS.format(device))
+    mounted, place = monitor.reels, _place(device)
+    if place not in mounted.names:
+        raise MonitorError(_NO_DISCS.format(device) if place == "df" else f"{place}: no tape is mounted")
     if where not in ("", "forget"):
-        monitor.say(mounted.save_discs(where) if discs else mounted.save(unit, where))
+        monitor.say(mounted.save(place, where))
     elif not where:
-        _check_saved(mounted.said_of_discs() if discs else _written(monitor, unit), device)
-    if discs:
-        mounted.empty()
-    else:
-        mounted.unmount(unit)
+        _check_saved(monitor, place, device)
+    mounted.take_off(place)
 
 
-def _written(monitor: Monitor, unit: int) -> str:
-    """Say how many blocks of a reel were written and not saved, "" for none."""
-    written = unit in monitor.reels.names and monitor.reels.changed(unit)
-    return monitor.reels.said(unit) if written else ""
+def _place(device: str) -> str:
+    """Return the name of a device of the rack as `Reels` has it: df0 is df. Raises WorkError."""
+    return "df" if device.lower().startswith("df") else f"dt{reels.drive(device)}"
 
 
-def _check_saved(written: str, device: str) -> None:
+def _check_saved(monitor: Monitor, place: str, device: str) -> None:
     """Raise MonitorError if something was written and not saved."""
-    if written:
+    if written := monitor.reels.said(place):
         raise MonitorError(f"{written}; detach {device} FILE saves them, or forget drops them")
 
 
@@ -120,12 +112,12 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
     if what := absent(monitor, name):
         raise MonitorError(f"{name}: {what}")
     if name.lower() in ("df", "df0"):
-        if not monitor.reels.discs:
+        if "df" not in monitor.reels.names:
             raise MonitorError(_NO_DISCS.format(name))
         toggled = bootstrap.DF32
     elif name.lower().startswith("dt") and name[2:].isdigit():
         unit = reels.drive(name)
-        if unit not in monitor.reels.names:
+        if f"dt{unit}" not in monitor.reels.names:
             raise MonitorError(f"{name}: no tape is mounted; attach {name} FILE")
         toggled = bootstrap.bootstrap(unit)
     else:
@@ -137,13 +129,15 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
 
 def show(monitor: Monitor) -> None:
     """Say what is on the drives, if there are any."""
-    for unit, drive in enumerate(monitor.reels.drives):
-        if unit in monitor.reels.names:
-            locked = ", locked" if drive.locked else ""
-            written = f", {counted(monitor.reels.changed(unit), 'blocks')} written" if drive.blocks else ""
-            monitor.say(f"dt{unit}  {monitor.reels.names[unit]}{locked}{written}")
-    if monitor.reels.discs:
-        monitor.say(f"df   {monitor.reels.discs_name}{', changed' if monitor.reels.said_of_discs() else ''}")
+    mounted = monitor.reels
+    for device in mounted.devices():
+        number = mounted.changed(device)
+        if device == "df":
+            more = ", changed" if number else ""
+        else:
+            more = ", locked" if mounted.drives[reels.drive(device)].locked else ""
+            more += f", {counted(number, 'blocks')} written" if number else ""
+        monitor.say(f"{device:5}{mounted.names[device]}{more}")
 
 
 def leave(monitor: Monitor) -> None:

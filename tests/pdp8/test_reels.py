@@ -81,7 +81,7 @@ def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor,
     for line in ("detach dt0 /dev/full", f"detach dt0 {tmp_path / 'reel.tu56'}", "detach dt0"):
         with pytest.raises(WorkError):
             do(monitor, line)
-        assert monitor.reels.changed(0) == 1
+        assert monitor.reels.changed("dt0") == 1
     saved = tmp_path / "saved.tu56"
     with patch.object(shelf, "write", failing(1)), pytest.raises(WorkError, match="No space left"):
         do(monitor, f"detach dt0 {saved}")
