@@ -552,11 +552,9 @@ class Expressions(Types):
             return self.dotted(node) if of.ours else self._as_value(node, found)
         if not found or not found.is_function or found.is_property:
             return self.dotted(node)
-        if not of or not of.is_class:
-            return f'$.bound({self.e(node.value)}, "{member(node.attr)}")'
-        if not found.is_static:
+        if of and of.is_class:
             self.fail(node, "a method of a class as a value", "a lambda")
-        return self.dotted(node)
+        return f'$.bound({self.e(node.value)}, "{member(node.attr)}")'
 
     def dotted(self, node: ast.expr) -> str:
         """Return a name, or a member of what is before it."""

@@ -124,8 +124,6 @@ class Types:
                     return self.annotated(found.node, found.module)
                 if name in _PLAIN:
                     return _PLAIN[name]
-                if name == "Self":
-                    return Type(self.owner)
                 return Type(name) if name in self.program.classes else ANY
         return ANY
 
@@ -419,8 +417,6 @@ class Types:
             other = self._decided(both, rest)
         if not both:
             return join(without_none(kind), other)
-        if without_none(kind) != kind and self._always_true(without_none(kind)):
-            kind = NONE
         return join(kind, other)
 
     def _always_true(self, kind: Type) -> bool:

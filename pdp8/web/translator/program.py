@@ -196,8 +196,6 @@ class Module:
 
     def _define(self, node: ast.stmt) -> None:
         match node:
-            case ast.FunctionDef(name, decorator_list=[ast.Name("overload"), *_]):
-                self.defined.setdefault(name, node)
             case ast.FunctionDef(name) | ast.ClassDef(name):
                 self.defined[name] = node
             case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)):
