@@ -4,14 +4,14 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 import click
 
 from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
-from pdp8.cli.shared.rules import flag, option
+from pdp8.cli.shared.rules import field, of, option
 from tapes.errors import WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
@@ -70,14 +70,12 @@ def _is_metric(ctx: click.Context | None) -> bool:
 class Metric:
     """The unit of lengths that are given and written."""
 
-    mm: Annotated[
-        bool,
-        flag(
-            "--mm",
-            "Lengths are millimetres, given and written; those of an expression stay inches.",
-            is_eager=True,
-        ),
-    ]
+    mm: bool = field(
+        "--mm",
+        "Lengths are millimetres, given and written; those of an expression stay inches.",
+        is_eager=True,
+        is_flag=True,
+    )
 
     @property
     def unit(self) -> "Unit":
@@ -121,40 +119,32 @@ def lengths(name: str, names: str, meaning: str, **rules: str) -> Callable[[_Fun
 class Tape:
     """A tape and its reading options."""
 
-    name: Annotated[str, click.argument("name", type=Source(), metavar="[FILE.eia]", default="-")]
-    strict: Annotated[
-        bool,
-        flag(
-            "--strict",
-            "Read as later controls did: from the first end of block on, odd parity, no blank rows.",
-        ),
-    ]
+    name: str = of(click.argument("name", type=Source(), metavar="[FILE.eia]", default="-"))
+    strict: bool = field(
+        "--strict",
+        "Read as later controls did: from the first end of block on, odd parity, no blank rows.",
+        is_flag=True,
+    )
 
 
 @dataclass(frozen=True)
 class Feeds:
     """The machine's feeds."""
 
-    feed_error: Annotated[
-        tuple[float, float, float],
-        option(
-            "--feed-error",
-            "Error of the feeds, within +-20; one number, or X,Y,Z.",
-            callback=numbers("X,Y,Z", one_for_all=True),
-            default="0",
-            metavar="PERCENT",
-            show_default=False,
-        ),
-    ]
-    feed_code: Annotated[
-        int | None,
-        option(
-            "--feed-code",
-            "Mill at this code of Table 2.4 in place of the tape's.",
-            click.IntRange(1, 18),
-            metavar="CODE",
-        ),
-    ]
+    feed_error: tuple[float, float, float] = field(
+        "--feed-error",
+        "Error of the feeds, within +-20; one number, or X,Y,Z.",
+        callback=numbers("X,Y,Z", one_for_all=True),
+        default="0",
+        metavar="PERCENT",
+        show_default=False,
+    )
+    feed_code: int | None = field(
+        "--feed-code",
+        "Mill at this code of Table 2.4 in place of the tape's.",
+        click.IntRange(1, 18),
+        metavar="CODE",
+    )
 
     def settings(self) -> "Settings":
         """Return the machine's settings for these feeds. Raises BadParameter."""
@@ -172,98 +162,79 @@ class Feeds:
 class Times:
     """Seconds that change only the time of a cut."""
 
-    tool_change: Annotated[
-        float,
-        option(
-            "--tool-change",
-            "Time of an automatic tool change; not in the thesis.",
-            Within(0, 3600),
-            default=0.0,
-            metavar="SECONDS",
-        ),
-    ]
-    read_seconds: Annotated[
-        float,
-        option(
-            "--read-seconds",
-            "Time to read a block; an electronic reader takes less (Chapter 10).",
-            Within(0, 3600),
-            default=2.0,
-            metavar="SECONDS",
-        ),
-    ]
+    tool_change: float = field(
+        "--tool-change",
+        "Time of an automatic tool change; not in the thesis.",
+        Within(0, 3600),
+        default=0.0,
+        metavar="SECONDS",
+    )
+    read_seconds: float = field(
+        "--read-seconds",
+        "Time to read a block; an electronic reader takes less (Chapter 10).",
+        Within(0, 3600),
+        default=2.0,
+        metavar="SECONDS",
+    )
 
 
 @dataclass(frozen=True)
 class Named:
     """The nominal curve, if options name one; lengths are inches."""
 
-    circle: Annotated[
-        tuple[float, ...] | None,
+    circle: tuple[float, ...] | None = of(
         lengths(
             "--circle",
             "X,Y,RADIUS",
             "Nominal curve: the path of the cutter's centre, or with --side the part's surface.",
             excludes="--ellipse --line --function --profile",
-        ),
-    ]
-    ellipse: Annotated[
-        tuple[float, ...] | None,
+        )
+    )
+    ellipse: tuple[float, ...] | None = of(
         lengths(
             "--ellipse",
             "X,Y,A,B",
             "The same, with semi-axes along X and Y.",
             excludes="--line --function --profile",
-        ),
-    ]
-    line: Annotated[
-        tuple[float, ...] | None,
+        )
+    )
+    line: tuple[float, ...] | None = of(
         lengths(
             "--line",
             "X1,Y1,X2,Y2",
             "Path of the cutter's centre, from one place to another.",
             excludes="--function --profile",
-        ),
-    ]
-    function: Annotated[
-        str | None,
-        option(
-            "--function",
-            "Nominal curve: y as a function of x, as `pdp8 part curve` has it.",
-            metavar="EXPRESSION",
-            needs="--range",
-            excludes="--profile",
-        ),
-    ]
-    profile: Annotated[
-        str | None,
-        option(
-            "--profile",
-            "Nominal curve, as `pdp8 part profile` has it: the radius as a function of the angle, a "
-            "file of points, or the .json that was written beside a tape.",
-            Source(),
-            metavar="EXPRESSION|FILE",
-        ),
-    ]
-    origin: Annotated[
-        tuple[float, float] | None,
+        )
+    )
+    function: str | None = field(
+        "--function",
+        "Nominal curve: y as a function of x, as `pdp8 part curve` has it.",
+        metavar="EXPRESSION",
+        needs="--range",
+        excludes="--profile",
+    )
+    profile: str | None = field(
+        "--profile",
+        "Nominal curve, as `pdp8 part profile` has it: the radius as a function of the angle, a "
+        "file of points, or the .json that was written beside a tape.",
+        Source(),
+        metavar="EXPRESSION|FILE",
+    )
+    origin: tuple[float, float] | None = of(
         lengths(
             "--origin",
             "X,Y",
             "Where x and y are 0 on the table.  [default: 4,5 in; the centre of a profile: 4,4 in]",
             needs="--function --profile",
-        ),
-    ]
-    range_: Annotated[
-        tuple[float, float] | None,
-        option(
-            "--range range_",
-            "Range of x of --function, inches.",
-            callback=numbers("FROM,TO"),
-            metavar="FROM,TO",
-            needs="--function",
-        ),
-    ]
+        )
+    )
+    range_: tuple[float, float] | None = field(
+        "--range range_",
+        "Range of x of --function, inches.",
+        callback=numbers("FROM,TO"),
+        metavar="FROM,TO",
+        needs="--function",
+    )
     side = ""
 
     def nominal(self, mm: bool) -> Nominal | None:
@@ -304,45 +275,36 @@ class Named:
 class Surface(Named):
     """The nominal curve, which may be the surface of the part."""
 
-    side: Annotated[
-        str,
-        option(
-            "--side",
-            "The curve is the part's surface, and the cutter is on this side of it.",
-            click.Choice(["above", "below", "outside", "inside"]),
-            callback=lambda _, __, side: side or "",
-            needs="--function --profile --circle --ellipse",
-        ),
-    ]
+    side: str = field(
+        "--side",
+        "The curve is the part's surface, and the cutter is on this side of it.",
+        click.Choice(["above", "below", "outside", "inside"]),
+        callback=lambda _, __, side: side or "",
+        needs="--function --profile --circle --ellipse",
+    )
 
 
 @dataclass(frozen=True)
 class Cutter:
     """The cutter; None: as the nominal curve has it."""
 
-    cutter: Annotated[
-        float | None,
-        option(
-            "--cutter",
-            "Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
-            Inches(0, 10, above=True),
-        ),
-    ]
+    cutter: float | None = field(
+        "--cutter",
+        "Diameter of the cutter.  [default: that of the nominal curve, or 0.5]",
+        Inches(0, 10, above=True),
+    )
 
 
 @dataclass(frozen=True)
 class Cutting(Cutter):
     """The cutter and the tolerance, None to use the nominal curve's."""
 
-    tolerance: Annotated[
-        float | None,
-        option(
-            "--tolerance",
-            "The most that a wall may be off nominal, either way; half the width of the band.  "
-            "[default: that of the nominal curve, or 0.005]",
-            Inches(0, 1, above=True),
-        ),
-    ]
+    tolerance: float | None = field(
+        "--tolerance",
+        "The most that a wall may be off nominal, either way; half the width of the band.  "
+        "[default: that of the nominal curve, or 0.005]",
+        Inches(0, 1, above=True),
+    )
 
 
 @dataclass(frozen=True)

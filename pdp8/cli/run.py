@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
 import click
 
@@ -18,7 +18,7 @@ from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
 from pdp8.cli.shared.parameters import octal, seconds
-from pdp8.cli.shared.rules import declared, flag, is_given, option
+from pdp8.cli.shared.rules import declared, field, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
@@ -46,176 +46,132 @@ _Ended = Stop | Literal["closed", "failed"] | None
 class Options:
     """What to run, its inputs and outputs, and what to record."""
 
-    program: Annotated[str | None, click.argument("program", type=Source(), required=False)]
-    start: Annotated[int, option("--start", "Address to start at, octal.", octal, default="0200")]
-    sr: Annotated[int, option("--sr", "Switch register, octal.", octal, default="0000")]
-    reader: Annotated[
-        tuple[str, ...],
-        option(
-            "--reader",
-            "Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
-            Source(),
-            multiple=True,
-        ),
-    ]
-    punch: Annotated[
-        str | None,
-        option("--punch", "Where the punched tape goes.  [default: standard output]", Target("tape")),
-    ]
-    fast_reader: Annotated[
-        str | None, option("--fast-reader", "Fit the high-speed reader, with this tape.", Source())
-    ]
-    fast_punch: Annotated[
-        str | None, option("--fast-punch", "Fit the high-speed punch; its tape goes here.", Target("tape"))
-    ]
-    device: Annotated[
-        tuple[str, ...],
-        option(
-            "--device",
-            "Fit a device, highspeed or a class in a Python file of your own.",
-            multiple=True,
-            metavar="NAME|FILE:CLASS",
-        ),
-    ]
-    memory: Annotated[
-        str,
-        option(
-            "--memory",
-            "Words of core; 32k as no PDP-8/L had it.",
-            click.Choice(list(MEMORY)),
-            default="4k",
-            excludes="--restore",
-            show_default=False,
-        ),
-    ]
-    dectape: Annotated[
-        tuple[str, ...],
-        option(
-            "--dectape",
-            "Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
-            multiple=True,
-            metavar="N=FILE",
-        ),
-    ]
-    save_dectape: Annotated[
-        tuple[str, ...],
-        option(
-            "--save-dectape",
-            "Save the reel of drive N as the run ends; the image that was mounted stays.",
-            multiple=True,
-            metavar="N=FILE",
-            needs="--dectape",
-        ),
-    ]
-    disk: Annotated[
-        str | None,
-        option(
-            "--disk",
-            "Fit a DF32 with an image of one to four discs, 65,536 bytes each.",
-            metavar="df32=FILE",
-            excludes="--restore",
-        ),
-    ]
-    save_disk: Annotated[
-        str | None,
-        option("--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk"),
-    ]
-    printer: Annotated[
-        str | None, option("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
-    ]
-    keyboard: Annotated[
-        bool, flag("--keyboard", "Type at the Teletype and see it print; Ctrl-] stops, into the monitor.")
-    ]
-    line: Annotated[
-        str | None,
-        option(
-            "--line",
-            "The Teletype is a line: a serial port, a pty, a TCP port for telnet. At 110 baud's pace.",
-            Target(),
-            metavar="PATH|tcp:PORT",
-            excludes="--keyboard --reader --realtime",
-        ),
-    ]
-    line_bits: Annotated[
-        int | None,
-        option(
-            "--line-bits",
-            "8: frames as they are; 7: characters as a terminal has them.  [default: 8; tcp: 7]",
-            click.Choice([7, 8]),
-            needs="--line",
-        ),
-    ]
-    line_speed: Annotated[
-        str,
-        option(
-            "--line-speed",
-            "At 110 baud's pace, or as fast as it goes.",
-            click.Choice(["110", "full"]),
-            default="110",
-            needs="--line",
-        ),
-    ]
-    max_time: Annotated[
-        float | None, option("--max-time", "Stop after this machine time.", seconds, metavar="SECONDS")
-    ]
-    realtime: Annotated[bool, flag("--realtime", "Run no faster than a PDP-8/L did: 10 frames a second.")]
-    boot: Annotated[
-        bool,
-        flag(
-            "--boot", "From cold: toggle RIM in, read the BIN loader, read the program.", excludes="--restore"
-        ),
-    ]
-    loader: Annotated[
-        str | None,
-        option(
-            "--loader",
-            "The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
-            Source(),
-            needs="--boot",
-        ),
-    ]
-    dialect: Annotated[
-        str,
-        option(
-            "--dialect",
-            "That of PAL source.",
-            click.Choice(DIALECTS),
-            default=FOUND,
-            needs="PROGRAM",
-            show_default=False,
-        ),
-    ]
-    force: Annotated[bool, flag("--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM")]
-    trace: Annotated[
-        str | None,
-        option("--trace", "Write each instruction: time, L AC, MA MB, its listing.", Target("text")),
-    ]
-    count: Annotated[
-        bool,
-        flag("--count", "Count instructions, cycles, waiting; a table as the run ends.", excludes="--trace"),
-    ]
-    annotate: Annotated[
-        str | None,
-        option(
-            "--annotate",
-            "Write the listing with each word's count in its margin.",
-            Target("text"),
-            excludes="--trace",
-        ),
-    ]
-    save: Annotated[
-        str | None, option("--save", "Write the machine's state as the run ends.", Target("JSON"))
-    ]
-    restore: Annotated[
-        str | None,
-        option(
-            "--restore",
-            "Go on from a saved state and the tape in its reader, as CONT does; with --start, START "
-            "there. --sr sets the switches, --reader changes the tape (- for standard input).",
-            Source(),
-        ),
-    ]
-    quiet: Annotated[bool, flag("--quiet", "Do not say how the run ended, unless it failed.")]
+    program: str | None = of(click.argument("program", type=Source(), required=False))
+    start: int = field("--start", "Address to start at, octal.", octal, default="0200")
+    sr: int = field("--sr", "Switch register, octal.", octal, default="0000")
+    reader: tuple[str, ...] = field(
+        "--reader",
+        "Tape in the Teletype's reader; several go in one after another.  [default: standard input]",
+        Source(),
+        multiple=True,
+    )
+    punch: str | None = field(
+        "--punch", "Where the punched tape goes.  [default: standard output]", Target("tape")
+    )
+    fast_reader: str | None = field("--fast-reader", "Fit the high-speed reader, with this tape.", Source())
+    fast_punch: str | None = field(
+        "--fast-punch", "Fit the high-speed punch; its tape goes here.", Target("tape")
+    )
+    device: tuple[str, ...] = field(
+        "--device",
+        "Fit a device, highspeed or a class in a Python file of your own.",
+        multiple=True,
+        metavar="NAME|FILE:CLASS",
+    )
+    memory: str = field(
+        "--memory",
+        "Words of core; 32k as no PDP-8/L had it.",
+        click.Choice(list(MEMORY)),
+        default="4k",
+        excludes="--restore",
+        show_default=False,
+    )
+    dectape: tuple[str, ...] = field(
+        "--dectape",
+        "Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
+        multiple=True,
+        metavar="N=FILE",
+    )
+    save_dectape: tuple[str, ...] = field(
+        "--save-dectape",
+        "Save the reel of drive N as the run ends; the image that was mounted stays.",
+        multiple=True,
+        metavar="N=FILE",
+        needs="--dectape",
+    )
+    disk: str | None = field(
+        "--disk",
+        "Fit a DF32 with an image of one to four discs, 65,536 bytes each.",
+        metavar="df32=FILE",
+        excludes="--restore",
+    )
+    save_disk: str | None = field(
+        "--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk"
+    )
+    printer: str | None = field("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
+    keyboard: bool = field(
+        "--keyboard", "Type at the Teletype and see it print; Ctrl-] stops, into the monitor.", is_flag=True
+    )
+    line: str | None = field(
+        "--line",
+        "The Teletype is a line: a serial port, a pty, a TCP port for telnet. At 110 baud's pace.",
+        Target(),
+        metavar="PATH|tcp:PORT",
+        excludes="--keyboard --reader --realtime",
+    )
+    line_bits: int | None = field(
+        "--line-bits",
+        "8: frames as they are; 7: characters as a terminal has them.  [default: 8; tcp: 7]",
+        click.Choice([7, 8]),
+        needs="--line",
+    )
+    line_speed: str = field(
+        "--line-speed",
+        "At 110 baud's pace, or as fast as it goes.",
+        click.Choice(["110", "full"]),
+        default="110",
+        needs="--line",
+    )
+    max_time: float | None = field("--max-time", "Stop after this machine time.", seconds, metavar="SECONDS")
+    realtime: bool = field(
+        "--realtime", "Run no faster than a PDP-8/L did: 10 frames a second.", is_flag=True
+    )
+    boot: bool = field(
+        "--boot",
+        "From cold: toggle RIM in, read the BIN loader, read the program.",
+        excludes="--restore",
+        is_flag=True,
+    )
+    loader: str | None = field(
+        "--loader",
+        "The RIM tape of the BIN loader --boot reads.  [default: bin.pal]",
+        Source(),
+        needs="--boot",
+    )
+    dialect: str = field(
+        "--dialect",
+        "That of PAL source.",
+        click.Choice(DIALECTS),
+        default=FOUND,
+        needs="PROGRAM",
+        show_default=False,
+    )
+    force: bool = field(
+        "--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM", is_flag=True
+    )
+    trace: str | None = field(
+        "--trace", "Write each instruction: time, L AC, MA MB, its listing.", Target("text")
+    )
+    count: bool = field(
+        "--count",
+        "Count instructions, cycles, waiting; a table as the run ends.",
+        excludes="--trace",
+        is_flag=True,
+    )
+    annotate: str | None = field(
+        "--annotate",
+        "Write the listing with each word's count in its margin.",
+        Target("text"),
+        excludes="--trace",
+    )
+    save: str | None = field("--save", "Write the machine's state as the run ends.", Target("JSON"))
+    restore: str | None = field(
+        "--restore",
+        "Go on from a saved state and the tape in its reader, as CONT does; with --start, START "
+        "there. --sr sets the switches, --reader changes the tape (- for standard input).",
+        Source(),
+    )
+    quiet: bool = field("--quiet", "Do not say how the run ended, unless it failed.", is_flag=True)
 
 
 @click.command(cls=Command, context_settings={"allow_extra_args": True})

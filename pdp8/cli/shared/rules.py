@@ -9,13 +9,14 @@ A blank parts names: one of those that an option `needs` is enough. An argument'
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
 file, with status 2; a value that differs with the tape that is read is refused by the command itself.
 
-`declared` hands a command its options as dataclasses, whose fields are annotated with them:
+`declared` hands a command its options as dataclasses, whose fields declare them:
 
     @dataclass(frozen=True)
     class Feeding:
-        strict: Annotated[bool, flag("--strict", "...")]
+        strict: bool = field("--strict", "...", is_flag=True)
 """
 
+import dataclasses
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import fields, is_dataclass
 from functools import wraps
@@ -26,6 +27,7 @@ import click
 from click.core import ParameterSource
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+_ADD = "adds"
 
 
 class Option(click.Option):
@@ -59,6 +61,16 @@ def flag(names: str, help: str, **settings: Any) -> Callable[[_Function], _Funct
     return option(names, help, is_flag=True, **settings)
 
 
+def of(add: Callable[[_Function], _Function]) -> Any:
+    """Return the field of a dataclass in which `declared` finds what adds its option or argument."""
+    return dataclasses.field(metadata={_ADD: add})
+
+
+def field(names: str, help: str, type: Any = None, **settings: Any) -> Any:
+    """Return the field of a dataclass for an option, as `option` takes it."""
+    return of(option(names, help, type, **settings))
+
+
 def declared(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return `function` with the options of each parameter that is annotated with a dataclass."""
     groups = {
@@ -70,16 +82,15 @@ def declared(function: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(function)
     def call(*arguments: Any, **given: Any) -> Any:
         made = {
-            name: group(**{field.name: given.pop(field.name) for field in fields(group)})
+            name: group(**{each.name: given.pop(each.name) for each in fields(group)})
             for name, group in groups.items()
         }
         return function(*arguments, **made, **given)
 
     added: Callable[..., Any] = call
     for group in reversed(groups.values()):
-        for field in reversed(fields(group)):
-            (add,) = field.type.__metadata__
-            added = add(added)
+        for each in reversed(fields(group)):
+            added = each.metadata[_ADD](added)
     return added
 
 

@@ -1,7 +1,6 @@
 """What options need and exclude: each declaration names what there is, and `Command` holds a call to it."""
 
 from dataclasses import dataclass
-from typing import Annotated
 
 import click
 import pytest
@@ -9,7 +8,7 @@ from click.testing import CliRunner
 
 from pdp8.cli.shared import rules
 from pdp8.cli.shared.arguments import Command
-from pdp8.cli.shared.rules import declared, flag, option
+from pdp8.cli.shared.rules import declared, field, flag, option
 from tests.pdp8.cli.test_root import EVERY
 
 LEAVES = {path: each for path, each in EVERY.items() if not isinstance(each, click.Group)}
@@ -19,8 +18,8 @@ LEAVES = {path: each for path, each in EVERY.items() if not isinstance(each, cli
 class Watching:
     """Options of a command, declared as fields."""
 
-    trace: Annotated[str | None, option("--trace", "")]
-    cycles: Annotated[bool, flag("--cycles", "", needs="--trace --code=bin")]
+    trace: str | None = field("--trace", "")
+    cycles: bool = field("--cycles", "", needs="--trace --code=bin", is_flag=True)
 
 
 @click.command(cls=Command)
