@@ -103,6 +103,15 @@ class ShelfError(WorkError):
     """A file that cannot be read or written; the message names it and says why."""
 
 
+@contextmanager
+def failing(name: str, more: str = "") -> Iterator[None]:
+    """Raise ShelfError for a file that fails inside, with what the system says of it."""
+    try:
+        yield
+    except OSError as error:
+        raise ShelfError(f"{name}: {error.strerror}{more}") from error
+
+
 def bundled() -> list[str]:
     """Return the names of everything on the shelf, sorted."""
     return sorted(_bundled)
@@ -149,11 +158,8 @@ def read(name: str, most: int = LARGEST, wide: bool = False) -> bytes:
         content = sys.stdin.buffer.read(most + 1)
     else:
         path = find(name)
-        try:
-            with open(path, "rb") as file:
-                content = file.read(most + 1)
-        except OSError as error:
-            raise ShelfError(f"{name}: {error.strerror}") from error
+        with failing(name), open(path, "rb") as file:
+            content = file.read(most + 1)
         remember(path)
     if len(content) > most:
         from tapes import dectape
@@ -271,14 +277,12 @@ def write(name: str, content: bytes) -> bool:
     """Write file `name` whole or not at all; return whether it replaced one. Raises ShelfError."""
     check_writable(name)
     if os.path.exists(name) and not os.path.isfile(name):  # a device such as /dev/null
-        _write_through(name, content)
+        with failing(name), open(name, "wb") as device:
+            device.write(content)
         return False
     replaced = os.path.exists(name)
-    try:
-        with replacing(name) as beside, open(beside, "wb") as file:
-            file.write(content)
-    except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}; this file was not written") from error
+    with failing(name, "; this file was not written"), replacing(name) as beside, open(beside, "wb") as file:
+        file.write(content)
     if watch := _watches[-1]:
         watch.written.add(os.path.realpath(name))
     return replaced
@@ -327,10 +331,8 @@ def make_folder(name: str) -> None:
     while not os.path.exists(above):
         above = os.path.dirname(above)
     _check_permission(name, above)
-    try:
+    with failing(name):
         os.makedirs(name, exist_ok=True)
-    except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}") from error
 
 
 def _check_permission(name: str, place: str) -> None:
@@ -347,14 +349,6 @@ def check_named(name: str) -> None:
         raise ShelfError(f"{name}: NUL in the name of a file")
 
 
-def _write_through(name: str, content: bytes) -> None:
-    try:
-        with open(name, "wb") as file:
-            file.write(content)
-    except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}") from error
-
-
 def open_punch(name: str) -> BinaryIO:
     """Open `name` for frames as they are punched, `-` if no terminal. Raises ShelfError."""
     if name == "-":
@@ -363,7 +357,5 @@ def open_punch(name: str) -> BinaryIO:
                 "a tape is binary and standard output is a terminal: send it to a file or a pipe"
             )
         return sys.stdout.buffer
-    try:
+    with failing(name):
         return open(name, "wb")
-    except OSError as error:
-        raise ShelfError(f"{name}: {error.strerror}") from error

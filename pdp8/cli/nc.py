@@ -22,7 +22,6 @@ from pdp8.cli.nc_options import (
     lengths,
     work,
 )
-from pdp8.cli.nc_options import cut as cut_tape
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Group, Target, output
 from pdp8.cli.shared.rules import declared, flag, is_given, option, words
@@ -126,7 +125,7 @@ def plot(
     from nc.inspection import followed
     from nc.plot import plot as drawing
 
-    known = work(cut_tape(tape, feeds.settings()), tape, named, metric, cutting.cutter, cutting.tolerance)
+    known = work(tape, feeds.settings(), named, metric, cutting.cutter, cutting.tolerance)
     close_at = (at[0] * 1000, at[1] * 1000) if at else None
     text = drawing(
         known.path,
@@ -182,7 +181,7 @@ def inspect(
     from nc.inspection import inspect as measure
     from nc.report import inspection_report
 
-    known = work(cut_tape(tape, feeds.settings()), tape, named, metric, cutting.cutter, cutting.tolerance)
+    known = work(tape, feeds.settings(), named, metric, cutting.cutter, cutting.tolerance)
     found = measure(known.path, known.curve, known.cutter, known.tolerance)
     if cutting.tolerance is not None and found.curve.guessed:
         raise click.UsageError(
@@ -277,15 +276,19 @@ def export(
       pdp8 nc export circle.eia -o circle.dxf
     """
     made = _format(ctx, gcode, dxf, output)
-    path = cut_tape(tape, replace(feeds.settings(), peck=peck))
-    known = work(path, tape, named, metric, cutter.cutter)
+    known = work(tape, replace(feeds.settings(), peck=peck), named, metric, cutter.cutter)
     x, y = shift or (0, 0)
     if made == "DXF":
         from nc.dxf import dxf as drawing
 
         with naming(tape.name):
             text = drawing(
-                path, known.curve, known.cutter, shift=(1000 * x, 1000 * y), depth=depth, unit=metric.unit
+                known.path,
+                known.curve,
+                known.cutter,
+                shift=(1000 * x, 1000 * y),
+                depth=depth,
+                unit=metric.unit,
             )
         command.put(output, text)
         return
@@ -296,7 +299,7 @@ def export(
     settings = Output(
         known.cutter, 1000 * (safe or 0.25), (1000 * x, 1000 * y), tool_change, 1000 * (tap or 0), metric.unit
     )
-    lines = gcode_1971(path, settings.pitch, metric.unit) if as_1971 else program(path, settings)
+    lines = gcode_1971(known.path, settings.pitch, metric.unit) if as_1971 else program(known.path, settings)
     with naming(tape.name):
         command.put(output, "".join(f"{line}\n" for line in lines))
 

@@ -319,16 +319,22 @@ class Work:
 
 
 def work(
-    path: "Path",
     tape: Tape,
+    settings: "Settings",
     named: Named,
     metric: Metric,
     cutter: float | None,
     tolerance: float | None = None,
 ) -> Work:
-    """Return the path with the curve from the options or from the tape's program. Raises WorkError."""
+    """Return the path of the whole tape with the curve from the options or from the tape's program.
+
+    Raises WorkError, at the tape's first bad block too.
+    """
     from nc.curves import curve
 
+    path, error = cut_so_far(tape, settings)
+    if error is not None:
+        raise error
     nominal = named.nominal(metric.mm) or _made_for(tape.name, path)
     known = nominal or Nominal("line", ())
     across = 1000 * (cutter or known.cutter)
@@ -368,14 +374,6 @@ PECK = option(
     callback=lambda _, __, inches: round(inches * 1000),
     default=0.1,
 )
-
-
-def cut(tape: Tape, settings: "Settings | None" = None) -> "Path":
-    """Return the path of the whole tape. Raises WorkError at its first bad block."""
-    path, error = cut_so_far(tape, settings)
-    if error is not None:
-        raise error
-    return path
 
 
 def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", WorkError | None]:

@@ -1,10 +1,10 @@
 """`pdp8 panel`: the front panel in the terminal."""
 
 import sys
-from importlib.util import find_spec
 
 import click
 
+from pdp8.cli.shared import extras
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import octal
 from pdp8.cli.shared.rules import flag, option
@@ -60,10 +60,7 @@ def panel(
     """
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
-    if find_spec("textual") is None:
-        from pdp8.cli.shared.extras import hint
-
-        raise WorkError(f"the panel needs Textual: {hint('panel')}")
+    extras.need("textual", "panel", "the panel needs Textual")
     from pdp8.console.opening import opening
 
     session, programs = opening(program, reader, start, cold, memory=MEMORY[memory])

@@ -85,10 +85,13 @@ def _command(part: Part) -> click.Command:
         params=part_options.parameters(program, bool(part.file))
         + [_FEWEST] * (part.name in _PROVED)
         + [_MM] * bool(part.file),
-        help=_help(
-            f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip()
-            + f" It may also be {part.file}." * bool(part.file),
-            [f"pdp8 part {part.name} {example}" for example in part.examples],
+        help="\n".join(
+            [
+                f"{part.summary} Lengths are inches. {part_options.explained(program)}".strip()
+                + f" It may also be {part.file}." * bool(part.file),
+                "\n\b\nExamples:",
+                *(f"  pdp8 part {part.name} {example}" for example in part.examples),
+            ]
         ),
         context_settings=_SETTINGS,
     )
@@ -224,7 +227,3 @@ def mirror(tape: str, across: Literal["x", "y"], about: float | None, output: st
         text = convert(content, codes.recognise(content).name, "text").decode()
         other = mirrored(text, across, about)
     command.put(output, ascii.encode(other))
-
-
-def _help(line: str, examples: list[str]) -> str:
-    return "\n".join([line, "", "\b", "Examples:", *(f"  {example}" for example in examples)])

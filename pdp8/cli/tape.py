@@ -1,14 +1,13 @@
 """`pdp8 tape`: a tape shown as holes, measured, converted to another code, punched from typed text."""
 
 from collections.abc import Callable
-from importlib.util import find_spec
 from typing import Any, TypeVar
 
 import click
 
 from pdp8 import shelf
 from pdp8.cli.os8 import extract, insert
-from pdp8.cli.shared import command, progress
+from pdp8.cli.shared import command, extras, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import flag, option
 from tapes import (
@@ -475,10 +474,7 @@ def read(
       pdp8 tape read strips.jpg --strips 2,1,-3 -o found.bin
       pdp8 tape read a.jpg b.jpg c.jpg --stitch -o long.bin
     """
-    if find_spec("cv2") is None:
-        from pdp8.cli.shared.extras import hint
-
-        raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
+    extras.need("cv2", "vision", "reading a picture needs OpenCV")
     from tapes import photograph
     from tapes.photograph import correction, pixels
 

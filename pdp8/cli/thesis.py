@@ -3,14 +3,13 @@
 import os
 import re
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import click
 
 from pdp8 import shelf
-from pdp8.cli.shared import command
+from pdp8.cli.shared import command, extras
 from pdp8.cli.shared.arguments import Command, Folder, Group, Source, Target, output
 from pdp8.cli.shared.rules import flag, option
 from tapes.errors import TapeError
@@ -229,10 +228,7 @@ def collate(answers: str | None, letter: bool, pages: str | None, output: str) -
 
 def _places(folder: str) -> dict[str, str]:
     """Return, by name, where the lines of conjectures are on the pictures in a folder."""
-    if find_spec("cv2") is None:
-        from pdp8.cli.shared.extras import hint
-
-        raise TapeError(f"reading a picture needs OpenCV: {hint('vision')}")
+    extras.need("cv2", "vision", "reading a picture needs OpenCV")
     from pdp8.thesis import collate as known
     from pdp8.thesis import pages
 

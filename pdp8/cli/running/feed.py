@@ -143,10 +143,8 @@ def _pipe(name: str) -> int:
         path = shelf.find(name)
         if os.path.isfile(path) or os.path.isdir(path):
             return -1
-        try:
+        with shelf.failing(name):
             number = os.open(path, os.O_RDONLY)
-        except OSError as error:
-            raise shelf.ShelfError(f"{name}: {error.strerror}") from error
     import stat
 
     return -1 if stat.S_ISREG(os.fstat(number).st_mode) else number

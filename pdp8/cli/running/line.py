@@ -23,7 +23,7 @@ from pdp8.cli.shared import command
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.keys import sent
-from pdp8.shelf import ShelfError
+from pdp8.shelf import ShelfError, failing
 
 assert sys.platform != "win32"  # `pdp8 run` says so before it comes here
 
@@ -82,10 +82,8 @@ class Tcp(Line):
         self._client: socket.socket | None = None
         self._waiting = bytearray()
         self._telnet = b""
-        try:
+        with failing(f"tcp:{address}"):
             self._server = socket.create_server((host or "127.0.0.1", int(port)))
-        except OSError as error:
-            raise ShelfError(f"tcp:{address}: {error.strerror}") from error
         command.say(f"listens on {host or '127.0.0.1'}:{port}, {bits} bits; Ctrl-C stops")
 
     def close(self) -> None:
@@ -157,10 +155,8 @@ class Serial(Line):
 
     def __init__(self, path: str, bits: int, full_speed: bool) -> None:
         super().__init__(bits, full_speed)
-        try:
+        with failing(path):
             self._file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-        except OSError as error:
-            raise ShelfError(f"{path}: {error.strerror}") from error
         if not os.isatty(self._file):
             os.close(self._file)
             raise ShelfError(f"{path}: not a line: a serial port or a pty is needed")

@@ -24,15 +24,12 @@ def tracing(machine: Machine, name: str, listing: Listing) -> Iterator[None]:
             yield
         return
     special, replaced = os.path.exists(name) and not os.path.isfile(name), os.path.isfile(name)
-    try:
-        with ExitStack() as stack:
-            path = name if special else stack.enter_context(shelf.replacing(name))
-            file = stack.enter_context(open(path, "w", encoding="utf-8", newline="\n"))
-            with _observed(machine, file, listing):
-                yield
-            file.close()
-    except OSError as error:
-        raise shelf.ShelfError(f"{name}: {error.strerror}; no trace was written") from error
+    with shelf.failing(name, "; no trace was written"), ExitStack() as stack:
+        path = name if special else stack.enter_context(shelf.replacing(name))
+        file = stack.enter_context(open(path, "w", encoding="utf-8", newline="\n"))
+        with _observed(machine, file, listing):
+            yield
+        file.close()
     command.tell_written(name, replaced)
 
 

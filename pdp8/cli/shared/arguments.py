@@ -57,7 +57,19 @@ class Source(_Type):
         return _completed(sorted(found))
 
 
-class Target(_Type):
+class _Written(_Type):
+    """What is written; the shell itself completes its name."""
+
+    completes = "file"
+
+    def shell_complete(
+        self, ctx: click.Context, param: click.Parameter, incomplete: str
+    ) -> list["CompletionItem"]:
+        """Leave it to the shell."""
+        return _completed([incomplete], self.completes)
+
+
+class Target(_Written):
     """A file that is written, `-` for standard output; `makes` is a kind of `shelf.check_kind` or ""."""
 
     name = "file"
@@ -72,23 +84,11 @@ class Target(_Type):
         except shelf.ShelfError as error:
             raise click.UsageError(str(error)) from error
 
-    def shell_complete(
-        self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list["CompletionItem"]:
-        """Complete the names of files as the shell itself does."""
-        return _completed([incomplete], "file")
 
-
-class Folder(_Type):
+class Folder(_Written):
     """A folder that files are written into; it is made."""
 
-    name = "folder"
-
-    def shell_complete(
-        self, ctx: click.Context, param: click.Parameter, incomplete: str
-    ) -> list["CompletionItem"]:
-        """Complete the names of folders as the shell itself does."""
-        return _completed([incomplete], "dir")
+    name, completes = "folder", "dir"
 
 
 def output(
@@ -110,7 +110,7 @@ class Command(click.Command):
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters, with --no-clobber before --help where something is written."""
         params = super().get_params(ctx)
-        if any(isinstance(param.type, Target | Folder) for param in params):
+        if any(isinstance(param.type, _Written) for param in params):
             params.insert(-1, self._no_clobber)
         return params
 
@@ -132,7 +132,7 @@ class Command(click.Command):
         """Raise a UsageError where --no-clobber was given and no file is to be written."""
         if not command.keeps(ctx):
             return
-        written = {param.name: param for param in self.params if isinstance(param.type, Target | Folder)}
+        written = {param.name: param for param in self.params if isinstance(param.type, _Written)}
         values = {name: ctx.params[name or ""] for name in written}
         writes_unasked = "output" in values and values["output"] is None  # beside the source, as pal does
         if not writes_unasked and all(value in (None, "-") for value in values.values()):
@@ -142,7 +142,7 @@ class Command(click.Command):
     def _check(self, ctx: click.Context) -> None:
         sources, outputs, made, kinds = [], [], [], []
         for param, name in _named(self, ctx):
-            if isinstance(param.type, Target | Folder):
+            if isinstance(param.type, _Written):
                 shelf.check_named(name)
             if isinstance(param.type, Source) and (name == "-" or shelf.has(name)):
                 sources.append(name)

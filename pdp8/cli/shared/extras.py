@@ -4,9 +4,18 @@ import json
 import os
 import sys
 from importlib.metadata import distributions
+from importlib.util import find_spec
 from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
+
+from tapes.errors import WorkError
+
+
+def need(module: str, extra: str, what: str) -> None:
+    """Raise WorkError where `module` is not there, with `what` needs it and how to get it."""
+    if find_spec(module) is None:
+        raise WorkError(f"{what}: {hint(extra)}")
 
 
 def hint(extra: str) -> str:
