@@ -23,10 +23,10 @@ import re
 import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib.resources import files
 from typing import Any, Final, NamedTuple
 
 from pdp8.thesis.collate import settled
+from pdp8.thesis.table import text_of
 from tapes.errors import WorkError
 
 STATES: Final = ("from the text", "our drawing", "fitted or conjectured", "lost")
@@ -76,8 +76,7 @@ class Item(NamedTuple):
 @cache
 def catalogue() -> tuple[Item, ...]:
     """Return every item, in the order of the thesis."""
-    text = (files("pdp8.thesis") / "catalogue.toml").read_text(encoding="utf-8")
-    return tuple(_item(entry) for entry in tomllib.loads(text)["item"])
+    return tuple(_item(entry) for entry in tomllib.loads(text_of("catalogue.toml"))["item"])
 
 
 def _item(entry: dict[str, Any]) -> Item:

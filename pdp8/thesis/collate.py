@@ -7,10 +7,9 @@ page's words. An input, or an item of the catalogue, is no longer fitted if the 
 """
 
 from functools import cache
-from importlib.resources import files
 from typing import Any, NamedTuple
 
-from pdp8.thesis.table import Table
+from pdp8.thesis.table import Table, cells, text_of
 from tapes.errors import WorkError
 from tapes.text import lines_of
 
@@ -28,16 +27,11 @@ class Conjecture(NamedTuple):
     targets: str
 
 
-def _text(name: str) -> str:
-    return (files("pdp8.thesis") / name).read_text(encoding="utf-8")
-
-
 @cache
 def conjectures() -> dict[str, Conjecture]:
     """Return the conjectures by name, in the order of the file."""
     found = {}
-    for line in lines_of(_text("conjectures.txt"))[1:]:
-        name, page, place, ours, rivals, targets = (cell.strip() for cell in line.split("|"))
+    for name, page, place, ours, rivals, targets in cells(text_of("conjectures.txt")):
         changes = dict(each.split(" = ") for each in rivals.split(" // "))
         found[name] = Conjecture(name, page, place, ours, changes, targets)
     return found
@@ -46,13 +40,13 @@ def conjectures() -> dict[str, Conjecture]:
 def answers(text: str | None = None) -> dict[str, str]:
     """Return what pages have for each conjecture, by default of scan/answers.txt. Raises WorkError."""
     known, given = conjectures(), dict[str, str]()
-    for number, line in enumerate(lines_of(_text("scan/answers.txt") if text is None else text), 1):
+    for number, line in enumerate(lines_of(text_of("scan/answers.txt") if text is None else text), 1):
         if not line.strip() or line.startswith("#"):
             continue
-        cells = [cell.strip() for cell in line.split("|")]
-        if len(cells) != 3 or not all(cells):
+        given_as = [cell.strip() for cell in line.split("|")]
+        if len(given_as) != 3 or not all(given_as):
             raise WorkError(f"line {number}: {line}: an answer is {_FORM}")
-        name, reading, _ = cells
+        name, reading, _ = given_as
         if name not in known:
             raise WorkError(f"line {number}: {name}: no such conjecture; there are {', '.join(known)}")
         if not alike(given.setdefault(name, reading), reading):
@@ -105,4 +99,4 @@ def letter() -> str:
     known = sorted(conjectures().values(), key=lambda one: int(one.page))
     form = "page {0.page:>3}  {0.place}. Name: {0.name}. Our reading: {0.ours}\n"
     places = "".join(form.format(each) for each in known)
-    return _text("letter.txt").format(places=places, form=_FORM)
+    return text_of("letter.txt").format(places=places, form=_FORM)

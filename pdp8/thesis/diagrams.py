@@ -6,10 +6,10 @@ drawn has its name or its dimension in the text; places and sizes are ours.
 """
 
 from collections.abc import Iterator
-from importlib.resources import files
 from math import cos, radians, sin
 
 from nc.drawing import INK, Sheet, around, polyline
+from pdp8.thesis.table import text_of
 from programs import fluidic
 
 _CAVITY = "#e3ebf5"
@@ -17,7 +17,7 @@ _CAVITY = "#e3ebf5"
 
 def drawn(figure: str) -> str:
     """Return a figure that was drawn by hand."""
-    return (files("pdp8.thesis") / "drawn" / f"figure-{figure}.svg").read_text(encoding="utf-8")
+    return text_of(f"drawn/figure-{figure}.svg")
 
 
 _SLOT = 125

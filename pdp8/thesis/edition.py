@@ -13,13 +13,12 @@
 import json
 import re
 from collections.abc import Callable, Iterator
-from importlib.resources import files
 from pathlib import Path
 
 from pdp8.thesis import collate, measures, numbers
 from pdp8.thesis.catalogue import Item, catalogue
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, source, table
-from tapes.text import lines_of
+from pdp8.thesis.table import cells, text_of
 
 _SECTION = re.compile(r"(<!-- (\w+) (.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
 _HEADINGS = {
@@ -79,9 +78,7 @@ def _evidence(artefact: str, *wanted: str) -> Iterator[tuple[str, ...]]:
 
 def _variants(page_: str) -> Iterator[tuple[str, ...]]:
     """Yield each word of a page that another could replace, with the reason for ours."""
-    text = (files("pdp8.thesis") / "scan" / "variants.txt").read_text(encoding="utf-8")
-    lines = (line.split("|") for line in lines_of(text) if not line.startswith("#"))
-    others = {address.strip(): (count.strip(), names.strip()) for address, count, names in lines}
+    others = {address: (count, names) for address, count, names in cells(text_of("scan/variants.txt"))}
     for row in table("eia.pal"):
         if row.page == page_ and others[row.ours[:4]][0] != "0":
             count, names = others[row.ours[:4]]

@@ -26,12 +26,12 @@ Source: the thesis, pages 13 and 14 (Chapter 2), 37 to 39 (4), 44 and 45 (5), 10
 
 from collections.abc import Iterator
 from functools import cache
-from importlib.resources import files
 from typing import NamedTuple
 
 import pal
 from pdp8.thesis.collate import as_read
 from pdp8.thesis.reading import fortran_line, pal_line
+from pdp8.thesis.table import text_of
 from tapes.errors import WorkError
 from tapes.text import lines_of
 
@@ -68,7 +68,7 @@ def rows(artefact: str) -> tuple[Row, ...]:
     """Return the rows of an artefact in order. Raises WorkError if there is none of that name."""
     if artefact not in ARTEFACTS + TABLES:
         raise WorkError(f"{artefact}: no evidence; there is some of {', '.join(ARTEFACTS + TABLES)}")
-    text = (files("pdp8.thesis") / "scan" / f"{artefact}.txt").read_text(encoding="utf-8")
+    text = text_of(f"scan/{artefact}.txt")
     return tuple(_row(line, artefact) for line in lines_of(text) if not line.startswith("#"))
 
 

@@ -7,13 +7,12 @@ from base64 import b64encode
 from collections import Counter
 from collections.abc import Mapping
 from html import escape
-from importlib.resources import files
 from itertools import groupby
 
 from pdp8.thesis.catalogue import STATES, Item, catalogue
 from pdp8.thesis.making import Made
 from pdp8.thesis.supplied import html
-from pdp8.thesis.table import Table
+from pdp8.thesis.table import Table, text_of
 from tapes.text import lines_of
 
 _LONGEST = 300
@@ -31,7 +30,7 @@ def page(made: Mapping[str, Made]) -> str:
         chapters += f"<section>\n<h2>{chapter}</h2>\n{articles}</section>\n"
     counts = Counter(item.state for item in catalogue())
     states = "".join(f"<li>{_badge(state)} {counts[state]}</li>" for state in STATES)
-    template = (files("pdp8.thesis") / "gallery.html").read_text(encoding="utf-8")
+    template = text_of("gallery.html")
     with_states = template.replace("{{counts}}", states).replace("{{contents}}", contents)
     return with_states.replace("{{chapters}}", chapters)
 

@@ -8,11 +8,10 @@ kind in inputs.txt, and `state` follows from them:
     fitted    a value that was fitted to results of the thesis, or chosen; `why` says to which, or for what
 """
 
-from importlib.resources import files
 from typing import Final, NamedTuple
 
 from pdp8.thesis.collate import settled
-from tapes.text import lines_of
+from pdp8.thesis.table import cells, text_of
 
 FROM_TEXT, COMPUTED, FITTED = "from the text", "computed", "fitted or conjectured"
 DIFFERS, NOT_MADE = "differs", "not made here"
@@ -28,10 +27,8 @@ class Input(NamedTuple):
 ITSELF: Final = "itself"
 """The input of a constant that the software takes from the thesis's text."""
 
-_TABLE: Final = lines_of((files("pdp8.thesis") / "inputs.txt").read_text(encoding="utf-8"))
 INPUTS: Final = {
-    name.strip(): Input("thesis" if settled(name.strip()) else kind.strip(), why.strip())
-    for name, kind, why in (line.split("|") for line in _TABLE if not line.startswith("#"))
+    name: Input("thesis" if settled(name) else kind, why) for name, kind, why in cells(text_of("inputs.txt"))
 }
 
 

@@ -9,7 +9,6 @@ import json
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
-from importlib.resources import files
 from inspect import signature
 from math import atan2, degrees, log2, radians, tan
 from typing import Any, Final, NamedTuple
@@ -23,6 +22,7 @@ from pdp8.replay.implied import LINE_SECONDS
 from pdp8.thesis import chain, evidence, slopes, tables, work
 from pdp8.thesis.catalogue import find
 from pdp8.thesis.inputs import ITSELF
+from pdp8.thesis.table import text_of
 from programs import die, fluidic
 from programs.parts import PARTS
 from tapes import ascii, eia, frames, hydrapoint, picture
@@ -68,7 +68,7 @@ def computed(names: Iterable[str]) -> dict[str, Measure]:
 
 @cache
 def _kept() -> dict[str, Measure]:
-    kept: dict[str, Measure] = json.loads((files("pdp8.thesis") / KEPT).read_text(encoding="utf-8"))
+    kept: dict[str, Measure] = json.loads(text_of(KEPT))
     return kept
 
 

@@ -23,13 +23,11 @@ which `pdp8 thesis make` shows; Appendices B to D, which are the evidence's.
 
 import re
 from collections.abc import Iterator
-from importlib.resources import files
 from typing import Final, NamedTuple
 
 from pdp8.thesis.inputs import state
 from pdp8.thesis.measures import Measure, inputs, value
-from pdp8.thesis.table import Table
-from tapes.text import lines_of
+from pdp8.thesis.table import Table, cells, text_of
 
 WITHIN: Final = 0.05
 
@@ -95,13 +93,9 @@ def plain(said: str) -> str:
 
 def numbers() -> Iterator[Number]:
     """Yield every number, in the order of the thesis."""
-    text = (files("pdp8.thesis") / "numbers.txt").read_text(encoding="utf-8")
-    for line in lines_of(text):
-        if line.startswith("#"):
-            continue
-        page, words, name, by = (cell.strip() for cell in line.split("|"))
+    for page, words, name, by in cells(text_of("numbers.txt")):
         found = _MARKED.search(words)
-        assert found, line
+        assert found, words
         scan = _MARKED.sub(r"\1", words)
         yield Number(int(page), scan, found[2] or found[1], name, by)
 
