@@ -163,24 +163,13 @@ def _check(place: Row, found: Block) -> None:
     selects, codes = _TOOL_CODES[found.miscellaneous]
     if found.tool not in codes:
         raise place.error(16, f"unknown {selects} code {found.tool:02}")
-    if found.preparatory == Preparatory.READ_Z:
-        _check_depths(place, found.x, found.y)
-        return
-    if found.x > X_TRAVEL:
-        raise place.error(5, _beyond("X", found.x, X_TRAVEL))
-    if found.y > Y_TRAVEL:
-        raise place.error(10, _beyond("Y", found.y, Y_TRAVEL))
-
-
-def _beyond(name: str, length: int, travel: int) -> str:
-    return f"{name} {length / 1000:.3f} is beyond the travel of {travel // 1000} in"
-
-
-def _check_depths(place: Row, feed_point: int, final_depth: int) -> None:
-    for row, name, depth in ((5, "Z feed point", feed_point), (10, "final depth", final_depth)):
-        if depth > Z_TRAVEL:
-            raise place.error(row, _beyond(name, depth, Z_TRAVEL))
-    if final_depth < feed_point:
-        raise place.error(
-            10, f"final depth {final_depth / 1000:.3f} is above the Z feed point {feed_point / 1000:.3f}"
-        )
+    depths = found.preparatory == Preparatory.READ_Z
+    for row, name, length, travel in (
+        (5, "Z feed point" if depths else "X", found.x, Z_TRAVEL if depths else X_TRAVEL),
+        (10, "final depth" if depths else "Y", found.y, Z_TRAVEL if depths else Y_TRAVEL),
+    ):
+        if length > travel:
+            raise place.error(row, f"{name} {length / 1000:.3f} is beyond the travel of {travel // 1000} in")
+    if depths and found.y < found.x:
+        said = f"final depth {found.y / 1000:.3f} is above the Z feed point {found.x / 1000:.3f}"
+        raise place.error(10, said)

@@ -78,7 +78,8 @@ class Curve(ABC):
         """Return `count` stations of the centre's path, evenly spread over the curve's parameter."""
         surface, normals = self.surface(np.linspace(0, 1, count, endpoint=not self.closed))
         points = surface + self.beside * normals
-        return Stations(points, normals, _along(points))
+        steps = np.hypot(*np.diff(points, axis=0).T)
+        return Stations(points, normals, np.concatenate([[0.0], np.cumsum(steps)]))
 
     @abstractmethod
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
@@ -284,11 +285,9 @@ def curve(nominal: Nominal, cutter: float) -> Curve:
     thousandths = [round(number * 1000, 6) for number in nominal.numbers]
     x, y = thousandths[:2]
     if nominal.kind == "line":
-        return StraightLine(x, y, thousandths[2], thousandths[3])
-    if nominal.kind == "circle":
-        return Ellipse(x, y, thousandths[2], thousandths[2], beside)
-    if nominal.kind == "ellipse":
-        return Ellipse(x, y, thousandths[2], thousandths[3], beside)
+        return StraightLine(*thousandths)
+    if nominal.kind in ("circle", "ellipse"):
+        return Ellipse(x, y, thousandths[2], thousandths[-1], beside)
     if nominal.kind == "function":
         return Graph(x, y, nominal.expression, nominal.numbers[2], nominal.numbers[3], beside)
     if nominal.expression:
@@ -339,8 +338,3 @@ def _fitted_ellipse(points: Floats, unit: int) -> Ellipse | None:
     x, y, a, b = (unit * np.rint(np.concatenate([place, axes]) / unit)).tolist()
     width, height = np.ptp(points, axis=0)
     return Ellipse(x, y, a, b) if 0 < a < 1.1 * width and 0 < b < 1.1 * height else None
-
-
-def _along(points: Floats) -> Floats:
-    steps = np.hypot(*np.diff(points, axis=0).T)
-    return np.concatenate([[0.0], np.cumsum(steps)])

@@ -5,7 +5,7 @@ Sheet                title, notes, views; width and height in inches, so that it
        └─ at(x, y)   the part's thousandths of an inch, Y up  →  the paper's hundredths, Y down
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, floor, log10
 from xml.etree import ElementTree as ET
@@ -29,17 +29,16 @@ class Window:
 
     @property
     def width(self) -> float:
-        """Width in thousandths."""
         return self.right - self.left
 
     @property
     def height(self) -> float:
-        """Height in thousandths."""
         return self.top - self.bottom
 
-    def grown(self, margin: float) -> "Window":
-        """Return the window with a margin all round."""
-        return Window(self.left - margin, self.bottom - margin, self.right + margin, self.top + margin)
+    def grown(self, across: float, up: float | None = None) -> "Window":
+        """Return the window with a margin all round, or with one at its sides and another above and below."""
+        up = across if up is None else up
+        return Window(self.left - across, self.bottom - up, self.right + across, self.top + up)
 
     def holds(self, x: float, y: float) -> bool:
         """Whether the place is in it."""
@@ -91,7 +90,7 @@ class Sheet:
         )
         ET.SubElement(self.root, "title").text = title
         self.draw("rect", x=0, y=0, width=width, height=height, fill="#ffffff")
-        self._views = 0
+        self.views = 0
 
     def draw(self, tag: str, parent: ET.Element | None = None, /, **attributes: object) -> ET.Element:
         """Add an element; underscores in attribute names become hyphens."""
@@ -113,41 +112,26 @@ class Sheet:
         for shown in (halo, attributes):
             self.draw("text", parent, x=x, y=y, **shown).text = words
 
-    def view(
-        self,
-        x: float,
-        y: float,
-        window: Window,
-        scale: float,
-        upright: float | None = None,
-        unit: Unit = INCH,
-    ) -> "View":
-        """Place a window on the part at (x, y): `scale` inches of paper per inch of X, `upright` of Y."""
-        self._views += 1
-        return View(self, x, y, window, (scale, upright or scale), unit, f"view{self._views}")
-
     def svg(self) -> str:
         """Return the sheet as an SVG document."""
         return ET.tostring(self.root, encoding="unicode") + "\n"
 
 
 class View:
-    """A window on the part, with scales along two sides, its contents clipped."""
+    """A window on the part at (x, y) of a sheet, with scales along two sides, its contents clipped.
+
+    `scale` is inches of paper per inch of the part, along X and along Y.
+    """
 
     def __init__(
-        self,
-        sheet: Sheet,
-        x: float,
-        y: float,
-        window: Window,
-        scale: tuple[float, float],
-        unit: Unit,
-        name: str,
+        self, sheet: Sheet, x: float, y: float, window: Window, scale: tuple[float, float], unit: Unit = INCH
     ) -> None:
         self.sheet, self.window, self.scale = sheet, window, scale
         self.x, self.y = x, y
         self.unit, self.rise = scale[0] / 10, scale[1] / 10
         self.width, self.height = window.width * self.unit, window.height * self.rise
+        sheet.views += 1
+        name = f"view{sheet.views}"
         clip = sheet.draw("clipPath", id=name)
         sheet.draw("rect", clip, x=x, y=y, width=self.width, height=self.height)
         self._scales(unit)
@@ -179,33 +163,28 @@ class View:
         self.sheet.label(px + dx, py + dy, words, self._body, **attributes)
 
     def _scales(self, unit: Unit) -> None:
-        step, places = _tick(self.scale[0], unit)
-        for value in _multiples(self.window.left, self.window.right, step):
+        bottom, window = self.y + self.height, self.window
+        for value, words in _scale(window.left, window.right, self.scale[0], unit):
             x, _ = self.at(value, value)
-            bottom = self.y + self.height
             self.sheet.draw("line", x1=x, y1=self.y, x2=x, y2=bottom, stroke=GRID)
             self.sheet.draw("line", x1=x, y1=bottom, x2=x, y2=bottom + 5, stroke=INK)
-            self.sheet.text(x, bottom + 17, f"{unit.of(value):.{places}f}", text_anchor="middle")
-        step, places = _tick(self.scale[1], unit)
-        for value in _multiples(self.window.bottom, self.window.top, step):
+            self.sheet.text(x, bottom + 17, words, text_anchor="middle")
+        for value, words in _scale(window.bottom, window.top, self.scale[1], unit):
             _, y = self.at(value, value)
             self.sheet.draw("line", x1=self.x, y1=y, x2=self.x + self.width, y2=y, stroke=GRID)
             self.sheet.draw("line", x1=self.x - 5, y1=y, x2=self.x, y2=y, stroke=INK)
-            self.sheet.text(self.x - 8, y + 4, f"{unit.of(value):.{places}f}", text_anchor="end")
+            self.sheet.text(self.x - 8, y + 4, words, text_anchor="end")
         name = "inches" if unit is INCH else unit.name
-        below = self.y + self.height + 33
-        self.sheet.text(self.x + self.width / 2, below, f"X, {name}", text_anchor="middle")
+        self.sheet.text(self.x + self.width / 2, bottom + 33, f"X, {name}", text_anchor="middle")
         x, y = self.x - 42, self.y + self.height / 2
         turned = f"rotate(-90 {number(x)} {number(y)})"
         self.sheet.text(x, y, f"Y, {name}", text_anchor="middle", transform=turned)
 
 
-def _tick(scale: float, unit: Unit) -> tuple[float, int]:
-    """Return the step of a scale in thousandths of an inch, and its decimal places."""
+def _scale(low: float, high: float, scale: float, unit: Unit) -> Iterator[tuple[float, str]]:
+    """Yield the marks of a scale, in thousandths of an inch, with their figures."""
     thousandth = 1000 * unit.scale
-    step = round_step(max(1, 10 * _APART / scale * thousandth))
-    return step / thousandth, 1 if step >= 100 else 2 if step >= 10 else 3
-
-
-def _multiples(low: float, high: float, step: float) -> list[float]:
-    return [step * count for count in range(ceil(low / step), floor(high / step) + 1)]
+    figure = round_step(max(1, 10 * _APART / scale * thousandth))
+    step, places = figure / thousandth, 1 if figure >= 100 else 2 if figure >= 10 else 3
+    for count in range(ceil(low / step), floor(high / step) + 1):
+        yield step * count, f"{unit.of(step * count):.{places}f}"

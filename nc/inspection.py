@@ -160,20 +160,17 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
             f"the milled path follows no circle, ellipse or line within {_follows(tolerance) / 1000:.3f} in: "
             "name the nominal curve"
         )
-    count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, len(_corners(cuts))))
+    corners = len(np.unique(cuts.reshape(-1, 2), axis=0))
+    count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, corners))
     stations = curve.stations(count)
     measured = _met(_to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations))
     if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
     finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points)
-    readings = tuple(_readings(curve, _joined(measured, _to_edge(curve, finer, stations))))
+    readings = tuple(_readings(curve, measured, _to_edge(curve, finer, stations)))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     centre = _centre(cuts, stations, cutter)
     return Inspection(curve, cutter, tolerance, measured, centre, stepwise, path.gap, readings)
-
-
-def _corners(cuts: Floats) -> Floats:
-    return np.unique(np.concatenate([cuts[:, :2], cuts[:, 2:]]), axis=0)
 
 
 def _centre(cuts: Floats, stations: Stations, reach: float) -> tuple[float, float]:
@@ -282,14 +279,8 @@ def _cut_through(enter: Floats, leave: Floats, radius: float, part_wall: str) ->
 def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
     """Whether the wall `off` the curve remains after a cutter of that radius goes along `path`."""
     some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
-    nearest = np.full(len(some), np.inf)
-    for number, here in enumerate(_groups(stations.part(some))):
-        group = slice(number * _GROUP, (number + 1) * _GROUP)
-        wall = here.points + off * here.normals
-        for near in _about(wall, abs(off), path, path):
-            x, y = wall[:, :1] - path[near, 0], wall[:, 1:] - path[near, 1]
-            nearest[group] = np.minimum(nearest[group], (x * x + y * y).min(axis=1))
-    left = nearest >= (abs(off) - _LEFT) ** 2
+    wall = stations.points[some] + off * stations.normals[some]
+    left = np.isnan(_off(wall, _at(path), abs(off) - _LEFT))
     return np.asarray(np.interp(np.arange(len(stations)), some, left) == 1)
 
 
@@ -313,9 +304,8 @@ def _met(measured: Walls) -> Walls:
 
     def filled(error: Floats) -> Floats:
         met = np.flatnonzero(np.isfinite(error))
-        if not len(met):
-            return np.full_like(error, np.nan)
-        return np.where(np.isinf(error), np.interp(np.arange(len(error)), met, error[met]), error)
+        neighbours = np.interp(np.arange(len(error)), met, error[met]) if len(met) else np.nan
+        return np.where(np.isinf(error), neighbours, error)
 
     return replace(measured, outer=filled(measured.outer), inner=filled(measured.inner))
 
@@ -342,15 +332,6 @@ def _finer(measured: Walls) -> Stations:
         for each in (measured.stations.points, measured.stations.normals)
     )
     return Stations(points, normals / np.hypot(*normals.T)[:, None], np.zeros(len(points)))
-
-
-def _joined(one: Walls, other: Walls) -> Walls:
-    """Return the walls at both sets of stations, for readings."""
-    here, there = one.stations, other.stations
-    fields = ((here.points, there.points), (here.normals, there.normals), (here.along, there.along))
-    stations = Stations(*map(np.concatenate, fields))
-    outer, inner = np.concatenate([one.outer, other.outer]), np.concatenate([one.inner, other.inner])
-    return Walls(stations, outer, inner, one.part_wall)
 
 
 def runs(deviation: Floats, closed: bool, every: int = 10) -> list[NDArray[np.intp]]:
@@ -419,12 +400,13 @@ _PLACES = (
 """Where a closed curve is read: by normals of this angle, and so many degrees to each side."""
 
 
-def _readings(curve: Curve, measured: Walls) -> Iterator[Reading]:
+def _readings(curve: Curve, *measured: Walls) -> Iterator[Reading]:
     """Yield the readings of both walls: of all, and of a closed curve at the apexes and at 45 degrees."""
-    off = measured.stations.angles + 180
+    off = np.concatenate([each.stations.angles for each in measured]) + 180
+    walls = {wall: np.concatenate([each.by_name[wall] for each in measured]) for wall in measured[0].by_name}
     for name, angle, reach in ((WHOLE, None, 180), *(_PLACES if curve.closed else ())):
         chosen = np.abs((off - (angle or 0)) % 360 - 180) <= reach
-        for wall, deviation in measured.by_name.items():
+        for wall, deviation in walls.items():
             seen = deviation[chosen & np.isfinite(deviation)]
             if len(seen):
                 yield Reading(name, angle, wall, float(seen.min()), float(seen.max()))

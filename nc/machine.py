@@ -131,7 +131,8 @@ class HydraPoint:
         if function == Miscellaneous.SPINDLE_SPEED:
             return replace(modes, spindle=SPINDLE[block.tool])
         if function == Miscellaneous.TOOL_CHANGE:
-            return replace(modes, tool=self._next_tool() if block.tool == NEXT_TOOL else block.tool)
+            following = CAROUSEL[(modes.tool or 0) % len(CAROUSEL)]
+            return replace(modes, tool=following if block.tool == NEXT_TOOL else block.tool)
         if function == Miscellaneous.MANUAL_TOOL_CHANGE and block.tool:
             return replace(modes, tool=block.tool)
         if function in COOLANT:
@@ -139,10 +140,6 @@ class HydraPoint:
         if function in (Miscellaneous.PARTIAL_RETRACT_ON, Miscellaneous.PARTIAL_RETRACT_OFF):
             return replace(modes, partial_retract=function == Miscellaneous.PARTIAL_RETRACT_ON)
         return modes
-
-    def _next_tool(self) -> int:
-        """Return the tool after the one in the spindle; the carousel is a circle."""
-        return CAROUSEL[(self.modes.tool or 0) % len(CAROUSEL)]
 
     def _xy_feed(self, code: int, axis: int) -> float:
         return XY_FEED[self.settings.feed_code or code] * (1 + self.settings.feed_error[axis])
@@ -177,13 +174,9 @@ class _Motion:
     def _mill(self) -> Iterator[Move]:
         x_feed, y_feed = self.modes.x_feed, self.modes.y_feed
         if self.block.x != self.at.x and x_feed is None:
-            raise self.place.error(
-                4, "milling along X needs an X feed (miscellaneous function 84); no block has set one"
-            )
+            raise self._unset("milling along X needs an X feed (miscellaneous function 84)", "one")
         if self.block.y != self.at.y and y_feed is None:
-            raise self.place.error(
-                4, "milling along Y needs a Y feed (miscellaneous function 85); no block has set one"
-            )
+            raise self._unset("milling along Y needs a Y feed (miscellaneous function 85)", "one")
         feed_point, final_depth = self._depths()
         if self.at.z != final_depth:
             yield from self._quill(MoveKind.APPROACH, max(self.at.z, feed_point))
@@ -207,14 +200,13 @@ class _Motion:
 
     def _depths(self) -> tuple[int, int]:
         if self.modes.feed_point is None:
-            raise self.place.error(
-                4, "the quill needs depths (preparatory function 9); no block has set them"
-            )
+            raise self._unset("the quill needs depths (preparatory function 9)", "them")
         if self.modes.z_feed is None:
-            raise self.place.error(
-                4, "the quill needs a Z feed (miscellaneous function 89); no block has set one"
-            )
+            raise self._unset("the quill needs a Z feed (miscellaneous function 89)", "one")
         return self.modes.feed_point, self.modes.final_depth
+
+    def _unset(self, need: str, what: str) -> BlockError:
+        return self.place.error(4, f"{need}; no block has set {what}")
 
     def _quill(self, kind: MoveKind, depth: float) -> Iterator[Move]:
         if depth == self.at.z:
@@ -246,13 +238,13 @@ def cut(frames: bytes, *, strict: bool = False, settings: Settings | None = None
     machine = HydraPoint(settings)
     steps: list[Step] = []
 
-    def path() -> Path:
-        set_to = machine.settings
-        return Path(tuple(steps), set_to.read_seconds, set_to.tool_change_seconds)
-
+    failure: BlockError | None = None
     try:
         for place, block in read(frames, strict):
             steps.append(machine.carry_out(place, block))
     except BlockError as error:
-        raise CutError(error, path()) from error
-    return path()
+        failure = error
+    path = Path(tuple(steps), machine.settings.read_seconds, machine.settings.tool_change_seconds)
+    if failure:
+        raise CutError(failure, path) from failure
+    return path

@@ -144,6 +144,7 @@ _SPENT = {
     MoveKind.FEED_OUT: "z_feed",
     MoveKind.MILL: "milling",
 }
+"""The activities of Times, in its order."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -176,13 +177,8 @@ class Path:
         spent = dict.fromkeys(_SPENT.values(), 0.0)
         for move in self.moves:
             spent[_SPENT[move.kind]] += move.seconds
-        return Times(
-            reading=self.read_seconds * len(self.steps),
-            positioning=spent["positioning"],
-            z_feed=spent["z_feed"],
-            milling=spent["milling"],
-            tool_changes=self.tool_change_seconds * sum(step.tool_changed for step in self.steps),
-        )
+        changes = self.tool_change_seconds * sum(step.tool_changed for step in self.steps)
+        return Times(self.read_seconds * len(self.steps), *spent.values(), changes)
 
     def array(self) -> "NDArray[float64]":
         """Return X, Y, Z of the tip, thousandths, before the first move and after each: (moves + 1, 3)."""

@@ -57,34 +57,32 @@ def plot(
     if not 1 <= current <= len(path):
         raise WorkError(f"block {current}: the tape has blocks 1 to {len(path)}")
     heading = _heading(path, curve, current, unit)
-    window = _window(path, cutter)
-    scale = next((s for s in _SCALES if _fits(window, s)), min(_SCALES))
+    work = [*path.holes, *(place for move in path.cuts for place in (move.start, move.end))]
+    window = around(work or [(0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
+    largest = 10 * min(_WIDTH / window.width, _TALLEST / window.height)
+    scale = next((scale for scale in _SCALES if scale <= largest), min(_SCALES))
     top = 66 + _LINE * len(heading)
     close_top = top + window.height * scale / 10 + 90
     close_height = min(max(high - close_top - _BELOW, _CLOSE_LOWEST), _CLOSE_HIGHEST)
     bottom = close_top + close_height
     sheet = Sheet(_LEFT + _WIDTH + 20, bottom + _BELOW, f"Hydra-Point, block {current}")
-    sheet.text(_LEFT, 26, _title(path, cutter, unit), font_size=15)
+    title = f"{len(path)} blocks · {path.times.total / 60:.1f} min · cutter {unit.said(cutter)} {unit.name}"
+    sheet.text(_LEFT, 26, f"Moog Hydra-Point 83-1000 MC · {title}", font_size=15)
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
     sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)
-    part = sheet.view(_LEFT, top, window, scale, scale, unit)
+    part = View(sheet, _LEFT, top, window, (scale, scale), unit)
     _draw_part(part, path, current, cutter)
     if isinstance(curve, Graph):
         _draw_axes(part, curve)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom, unit), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
-    half_width, half_height = _WIDTH / zoom[0] * 5, close_height / zoom[1] * 5
-    close = Window(x - half_width, y - half_height, x + half_width, y + half_height)
-    _draw_close(sheet.view(_LEFT, close_top, close, *zoom, unit), path, current, curve, cutter, tolerance)
+    window = Window(x, y, x, y).grown(_WIDTH / zoom[0] * 5, close_height / zoom[1] * 5)
+    close = View(sheet, _LEFT, close_top, window, zoom, unit)
+    _draw_close(close, path, current, curve, cutter, tolerance)
     for row, line in enumerate(_LEGEND):
         sheet.text(_LEFT, bottom + 60 + _LINE * row, line, fill=FAINT)
     return sheet.svg()
-
-
-def _title(path: Path, cutter: float, unit: Unit) -> str:
-    tape = f"{len(path)} blocks · {path.times.total / 60:.1f} min"
-    return f"Moog Hydra-Point 83-1000 MC · {tape} · cutter {unit.said(cutter)} {unit.name}"
 
 
 def _heading(path: Path, curve: Curve | None, current: int, unit: Unit) -> list[tuple[str, str]]:
@@ -97,16 +95,6 @@ def _heading(path: Path, curve: Curve | None, current: int, unit: Unit) -> list[
     return [(line, colour) for words, colour in said for line in wrap(words, _LETTERS)]
 
 
-def _window(path: Path, cutter: float) -> Window:
-    """Return the part of the table that shows the work, or all moves if there is none."""
-    work = [*path.holes, *(place for move in path.cuts for place in (move.start, move.end))]
-    return around(work or [(0, 0), *(step.at for step in path.steps)]).grown(cutter / 2 + 200)
-
-
-def _fits(window: Window, scale: float) -> bool:
-    return window.width * scale / 10 <= _WIDTH and window.height * scale / 10 <= _TALLEST
-
-
 def _ratio(scale: float) -> str:
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
@@ -117,9 +105,14 @@ def _close_title(curve: Curve | None, tolerance: float, zoom: tuple[float, float
     return f"close, scale {along}{band}" if along == up else f"stretched, X {along}, Y {up}{band}"
 
 
+def _halves(path: Path, current: int) -> list[list[Move]]:
+    """Return the moves up to the current block, and the later ones."""
+    halves = path.steps[:current], path.steps[current:]
+    return [[move for step in steps for move in step.moves] for steps in halves]
+
+
 def _draw_part(view: View, path: Path, current: int, cutter: float) -> None:
-    done = [move for step in path.steps[:current] for move in step.moves]
-    to_come = [move for step in path.steps[current:] for move in step.moves]
+    done, to_come = _halves(path, current)
     _draw_metal(view, done, cutter)
     _draw_holes(view, path, current, cutter)
     for moves, colour in ((to_come, _TO_COME), (done, _PATH)):
@@ -151,10 +144,7 @@ def _draw_close(
     view: View, path: Path, current: int, curve: Curve | None, cutter: float, tolerance: float
 ) -> None:
     reach = view.window.grown(cutter)
-    done, to_come = (
-        [move for step in steps for move in step.moves if _near(move, reach)]
-        for steps in (path.steps[:current], path.steps[current:])
-    )
+    done, to_come = ([move for move in moves if _near(move, reach)] for moves in _halves(path, current))
     stretched = view.unit != view.rise
     if not stretched:
         _draw_metal(view, done, cutter)
@@ -170,12 +160,9 @@ def _draw_close(
 
 
 def _near(move: Move, reach: Window) -> bool:
-    return (
-        min(move.start.x, move.end.x) <= reach.right
-        and max(move.start.x, move.end.x) >= reach.left
-        and min(move.start.y, move.end.y) <= reach.top
-        and max(move.start.y, move.end.y) >= reach.bottom
-    )
+    own = around([move.start, move.end])
+    across = own.left <= reach.right and own.right >= reach.left
+    return across and own.bottom <= reach.top and own.top >= reach.bottom
 
 
 def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:
@@ -225,26 +212,15 @@ def _draw_cutter(view: View, at: Position, cutter: float) -> None:
 def _number_steps(view: View, path: Path, current: int) -> None:
     """Write block numbers beside the ends of their moves where they do not overlap, the current one first."""
     written: list[tuple[float, float]] = []
-    margin = 30 / view.unit, 30 / view.rise
-    window = view.window
-    inside = Window(
-        window.left + margin[0], window.bottom + margin[1], window.right - margin[0], window.top - margin[1]
-    )
-    steps = sorted(
-        (
-            step
-            for step in path.steps
-            if step.block.preparatory == Preparatory.MILL and inside.holds(step.at.x, step.at.y)
-        ),
-        key=lambda step: abs(step.number - current),
-    )
-    for step in steps:
-        x, y = view.at(step.at.x, step.at.y)
-        if any(abs(x - other_x) < 34 and abs(y - other_y) < 13 for other_x, other_y in written):
+    inside = view.window.grown(-30 / view.unit, -30 / view.rise)
+    for step in sorted(path.steps, key=lambda step: abs(step.number - current)):
+        if step.block.preparatory != Preparatory.MILL or not inside.holds(step.at.x, step.at.y):
             continue
-        written.append((x, y))
-        colour = _NOW if step.number == current else INK
-        view.text(step.at.x, step.at.y, str(step.number), dx=5, dy=-4, fill=colour)
+        x, y = view.at(step.at.x, step.at.y)
+        if not any(abs(x - other_x) < 34 and abs(y - other_y) < 13 for other_x, other_y in written):
+            written.append((x, y))
+            colour = _NOW if step.number == current else INK
+            view.text(step.at.x, step.at.y, str(step.number), dx=5, dy=-4, fill=colour)
 
 
 def _runs(moves: list[Move], milling: bool) -> list[list[tuple[float, float]]]:

@@ -34,18 +34,13 @@ def talyrond(inspection: Inspection, name: str = "Talyrond") -> str:
     return _Graph(inspection, name).svg()
 
 
-def _limits(inspection: Inspection) -> tuple[int, int]:
-    """Return the graph's innermost and outermost small division, multiples of 5 about the walls."""
-    both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
-    return 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
-
-
 class _Graph:
     """The graph on its sheet; radii in hundredths of an inch of paper."""
 
     def __init__(self, inspection: Inspection, name: str) -> None:
         self.inspection, self.name = inspection, name
-        self.low, self.high = _limits(inspection)
+        both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
+        self.low, self.high = 5 * floor(np.nanmin(both) / 5), 5 * ceil(np.nanmax(both) / 5)
         divisions = self.high - self.low
         fitting = (times for times in _MAGNIFICATIONS if divisions * times / 10 <= _ROOM)
         self.magnification = next(fitting, min(_MAGNIFICATIONS))
@@ -61,27 +56,21 @@ class _Graph:
         self._spokes()
         for wall, deviation in self.inspection.walls.by_name.items():
             self._trace(deviation, COLOURS[wall])
-        self._divisions()
+        for deviation in range(self.low, self.high + 1, 5):
+            x, y = self._at(22.5, deviation)
+            self.sheet.label(x, y + 4, signed(deviation), text_anchor="middle")
         self._readings()
         return self.sheet.svg()
 
     def _title(self) -> None:
-        worst = self.inspection.worst
+        worst, cutter = self.inspection.worst, f"cutter {self.inspection.cutter / 1000:.3f} in"
+        scale = f"radial magnification {self.magnification}, centre suppressed · small division .001 in"
+        rough = f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}"
         self.sheet.text(20, 26, f"{self.name}: {self.inspection.curve}", font_size=15)
-        self.sheet.text(
-            20,
-            46,
-            f"cutter {self.inspection.cutter / 1000:.3f} in · radial magnification {self.magnification}, "
-            "centre suppressed · small division .001 in · outward is +",
-        )
+        self.sheet.text(20, 46, f"{cutter} · {scale} · outward is +")
         self.sheet.text(20, 64, "outer wall", fill=COLOURS["outer"])
         self.sheet.text(80, 64, "inner wall", fill=COLOURS["inner"])
-        self.sheet.text(
-            20,
-            82,
-            f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}; "
-            "the figures round the graph are trough to peak",
-        )
+        self.sheet.text(20, 82, f"{rough}; the figures round the graph are trough to peak")
 
     def _radius(self, deviation: float) -> float:
         return _HUB + (deviation - self.low) * self.division
@@ -105,11 +94,6 @@ class _Graph:
             heavy = angle % 90 == 0
             (x1, y1), (x2, y2) = self._at(angle, self.low), self._at(angle, self.high)
             self.sheet.draw("line", x1=x1, y1=y1, x2=x2, y2=y2, stroke=FAINT if heavy else GRID)
-
-    def _divisions(self) -> None:
-        for deviation in range(self.low, self.high + 1, 5):
-            x, y = self._at(22.5, deviation)
-            self.sheet.label(x, y + 4, signed(deviation), text_anchor="middle")
 
     def _at(self, angle: float, deviation: float) -> tuple[float, float]:
         radius = self._radius(deviation)
@@ -137,14 +121,9 @@ class _Graph:
             x = self.x + (self.rim + 14) * cos(angle)
             y = self.y - (self.rim + 28) * sin(angle) + 4
             anchor = "middle" if abs(cos(angle)) < 0.1 else "start" if cos(angle) > 0 else "end"
-            inner = reading.wall == "inner"
-            if not inner:
+            if reading.wall == "outer":
                 self.sheet.text(x, y - 13, reading.place, text_anchor=anchor, fill=FAINT)
-            self.sheet.text(
-                x,
-                y + (13 if inner else 0),
-                inches(reading.trough_to_peak),
-                text_anchor=anchor,
-                fill=COLOURS[reading.wall],
-                font_weight="bold",
-            )
+            else:
+                y += 13
+            bold = {"text_anchor": anchor, "fill": COLOURS[reading.wall], "font_weight": "bold"}
+            self.sheet.text(x, y, inches(reading.trough_to_peak), **bold)

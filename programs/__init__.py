@@ -33,7 +33,6 @@ constants        a part's keywords as a command or a form asks for them
 points           points of a file: measured ones, or an outline
 least_squares    a function from measured points
 mirror           the other hand of a part
-program          what a part program is
 parts            which part programs there are
 thesis           what the thesis says of each part
 """

@@ -38,7 +38,8 @@ Sources: GE-625/635 Programming Reference Manual, CPB-1004 (FAD, FMP, FDV, FST, 
 recorded as it ran on our PDP-8/L.
 """
 
-from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
 from math import floor, isqrt
 from typing import Any, Final, Protocol
@@ -81,15 +82,13 @@ class Exact:
         return Fraction(isqrt((over << 128) // under), 1 << 64)
 
 
+@dataclass(slots=True, eq=False)
 class Float:
     """mantissa * 2**exponent, in a register of `machine`."""
 
-    __slots__ = ("exponent", "machine", "mantissa")
-
-    def __init__(self, machine: "FloatingPoint", mantissa: int, exponent: int) -> None:
-        self.machine = machine
-        self.mantissa = mantissa
-        self.exponent = exponent
+    machine: "FloatingPoint"
+    mantissa: int
+    exponent: int
 
     def __add__(self, other: "Float | int") -> "Float":
         return self.machine.add(self, self._operand(other))
@@ -139,28 +138,55 @@ class Float:
         return self.machine.store(other) if isinstance(other, Float) else Float(self.machine, other, 0)
 
 
-class FloatingPoint(ABC):
+def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
+    """A mantissa rounded to the nearest of `bits`, and how many bits were dropped; so the others."""
+    dropped = max(0, mantissa.bit_length() - bits)
+    if not dropped:
+        return mantissa, 0
+    rest = mantissa & ((1 << dropped) - 1)
+    half = 1 << (dropped - 1)
+    kept = mantissa >> dropped
+    return kept + (rest > half or (rest == half and kept & 1)), dropped
+
+
+def _chopped(mantissa: int, bits: int) -> tuple[int, int]:
+    """Drop low bits of the magnitude."""
+    dropped = max(0, mantissa.bit_length() - bits)
+    return _towards_zero(mantissa, dropped), dropped
+
+
+def _floored(mantissa: int, bits: int) -> tuple[int, int]:
+    """Drop low bits of the two's complement number."""
+    dropped = max(0, _magnitude_bits(mantissa) - bits)
+    return mantissa >> dropped, dropped
+
+
+def _half_up(mantissa: int, bits: int, least: int = 0) -> tuple[int, int]:
+    """Round the magnitude, half a unit up; `least` bits are dropped at the least."""
+    dropped = max(least, mantissa.bit_length() - bits)
+    kept = (abs(mantissa) << 1 >> dropped) + 1 >> 1
+    return kept if mantissa >= 0 else -kept, dropped
+
+
+class FloatingPoint:
     """Binary floating point: the bits of a result, without sign, and how the rest is cut."""
 
     word: int
     register: int
     quotient: int
-
-    @abstractmethod
-    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
-        """Return `mantissa` cut to `bits`, and how many bits were dropped."""
+    cut: Callable[[int, int], tuple[int, int]]
 
     def keep(self, mantissa: int, exponent: int, bits: int) -> Float:
         """Return mantissa * 2**exponent, cut to `bits`."""
-        mantissa, dropped = self.cut(mantissa, bits)
+        return self._made(exponent, *self.cut(mantissa, bits))
+
+    def _made(self, exponent: int, mantissa: int, dropped: int) -> Float:
         return Float(self, mantissa, exponent + dropped)
 
     def real(self, value: float) -> Float:
         """Return the word nearest to the decimal digits of `value`."""
         wanted = Fraction(str(value))
-        mantissa, exponent = _quotient(wanted.numerator, wanted.denominator)
-        mantissa, dropped = _nearest(mantissa, self.word)
-        return Float(self, mantissa, exponent + dropped)
+        return self._made(-_EXTRA, *_nearest(_quotient(wanted.numerator, wanted.denominator), self.word))
 
     def store(self, value: Float) -> Float:
         """Return `value` as a word of memory keeps it."""
@@ -168,6 +194,11 @@ class FloatingPoint(ABC):
 
     def add(self, a: Float, b: Float) -> Float:
         """Return a + b."""
+        if not a.mantissa or not b.mantissa:
+            return a if a.mantissa else b
+        return self._sum(a, b)
+
+    def _sum(self, a: Float, b: Float) -> Float:
         low = min(a.exponent, b.exponent)
         total = (a.mantissa << (a.exponent - low)) + (b.mantissa << (b.exponent - low))
         return self.keep(total, low, self.register)
@@ -178,39 +209,29 @@ class FloatingPoint(ABC):
 
     def divide(self, a: Float, b: Float) -> Float:
         """Return a / b."""
-        mantissa, exponent = _quotient(a.mantissa, b.mantissa)
-        return self.keep(mantissa, exponent + a.exponent - b.exponent, self.quotient)
+        return self.keep(_quotient(a.mantissa, b.mantissa), a.exponent - b.exponent - _EXTRA, self.quotient)
 
     def sqrt(self, value: Float) -> Float:
         """Return the word nearest to the root of `value` as memory keeps it."""
         mantissa, exponent = _root(self.store(value))
-        mantissa, dropped = _nearest(mantissa, self.word)
-        return Float(self, mantissa, exponent + dropped)
+        return self._made(exponent, *_nearest(mantissa, self.word))
 
 
 class IEEE32(FloatingPoint):
     """IEEE 754 binary32, round to nearest even."""
 
     word = register = quotient = 24
-
-    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
-        """Round to the nearest."""
-        return _nearest(mantissa, bits)
+    cut = staticmethod(_nearest)
 
 
 class CDC6400(FloatingPoint):
     """The CDC 6400's instructions FX."""
 
     word = register = quotient = 48
+    cut = staticmethod(_chopped)
 
-    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
-        """Drop low bits of the magnitude."""
-        return _chopped(mantissa, bits)
-
-    def add(self, a: Float, b: Float) -> Float:
-        """Return the upper half of a sum of 96 bits."""
-        if not a.mantissa or not b.mantissa:
-            return a if a.mantissa else b
+    def _sum(self, a: Float, b: Float) -> Float:
+        """The upper half of a sum of 96 bits."""
         (m, e), (n, f) = sorted((_normal(a, 48), _normal(b, 48)), key=lambda part: -part[1])
         shifted = _towards_zero(n << 48, e - f)
         return self.keep(_towards_zero((m << 48) + shifted, 48), e, 48)
@@ -222,16 +243,10 @@ class GE635(FloatingPoint):
     word = 27
     register = 71
     quotient = 35
+    cut = staticmethod(_floored)
 
-    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
-        """Drop low bits of the two's complement number."""
-        dropped = max(0, _magnitude_bits(mantissa) - bits)
-        return mantissa >> dropped, dropped
-
-    def add(self, a: Float, b: Float) -> Float:
+    def _sum(self, a: Float, b: Float) -> Float:
         """FAD: aligned to the larger exponent inside AQ, then normalised."""
-        if not a.mantissa or not b.mantissa:
-            return a if a.mantissa else b
         (m, e), (n, f) = _normal(a, self.register), _normal(b, self.register)
         top = max(e, f)
         return self.keep((m >> (top - e)) + (n >> (top - f)), top, self.register)
@@ -243,9 +258,8 @@ class GE635(FloatingPoint):
 
     def divide(self, a: Float, b: Float) -> Float:
         """FDV: the quotient's magnitude is cut."""
-        mantissa, exponent = _quotient(a.mantissa, b.mantissa)
-        mantissa, dropped = _chopped(mantissa, self.quotient)
-        return Float(self, mantissa, exponent + dropped + a.exponent - b.exponent)
+        quotient = _chopped(_quotient(a.mantissa, b.mantissa), self.quotient)
+        return self._made(a.exponent - b.exponent - _EXTRA, *quotient)
 
 
 class PDP8(FloatingPoint):
@@ -253,15 +267,10 @@ class PDP8(FloatingPoint):
 
     word = register = 27
     quotient = 28
+    cut = staticmethod(_half_up)
 
-    def cut(self, mantissa: int, bits: int) -> tuple[int, int]:
-        """Round the magnitude, half a unit up."""
-        return _half_up(mantissa, max(0, mantissa.bit_length() - bits))
-
-    def add(self, a: Float, b: Float) -> Float:
-        """Return a + b, the smaller cut to the place of the larger."""
-        if not a.mantissa or not b.mantissa:
-            return a if a.mantissa else b
+    def _sum(self, a: Float, b: Float) -> Float:
+        """The smaller cut to the place of the larger."""
         (m, e), (n, f) = _word(a), _word(b)
         top = max(e, f)
         return self.keep(_towards_zero(m, top - e) + _towards_zero(n, top - f), top, self.word)
@@ -272,8 +281,8 @@ class PDP8(FloatingPoint):
             return Float(self, 0, 0)
         (m, e), (n, f) = _word(a), _word(b)
         product = 2 * abs(m * n) + (abs(n) & 0o77777777) >> 26
-        mantissa, dropped = _half_up(product, max(1, product.bit_length() - self.word))
-        return Float(self, mantissa if m * n > 0 else -mantissa, e + f + 25 + dropped)
+        mantissa, dropped = _half_up(product, self.word, least=1)
+        return self._made(e + f + 25, mantissa if m * n > 0 else -mantissa, dropped)
 
     def divide(self, a: Float, b: Float) -> Float:
         """Return a / b, the quotient of 28 bits or 29 rounded."""
@@ -313,6 +322,8 @@ _HALF: Final = 1 << 26
 """The leading bit of a mantissa of FLOAT."""
 _BIAS: Final = 0o200 + 27
 """What FLOAT's exponents exceed those of Float by."""
+_EXTRA: Final = 256
+"""Bits that a quotient and a root have behind the point, so that later rounding is exact."""
 
 
 def _word(value: Float) -> tuple[int, int]:
@@ -321,12 +332,6 @@ def _word(value: Float) -> tuple[int, int]:
     if shift < 0:  # rounded up to a power of two
         return value.mantissa >> -shift, value.exponent - shift
     return value.mantissa << shift, value.exponent - shift
-
-
-def _half_up(mantissa: int, dropped: int) -> tuple[int, int]:
-    """A mantissa without the bits dropped, its magnitude rounded, half a unit up."""
-    kept = (abs(mantissa) << 1 >> dropped) + 1 >> 1
-    return kept if mantissa >= 0 else -kept, dropped
 
 
 def _magnitude_bits(mantissa: int) -> int:
@@ -344,27 +349,11 @@ def _towards_zero(mantissa: int, places: int) -> int:
     return mantissa >> places if mantissa >= 0 else -(-mantissa >> places)
 
 
-def _chopped(mantissa: int, bits: int) -> tuple[int, int]:
-    dropped = max(0, mantissa.bit_length() - bits)
-    return _towards_zero(mantissa, dropped), dropped
-
-
-def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
-    dropped = max(0, mantissa.bit_length() - bits)
-    if not dropped:
-        return mantissa, 0
-    rest = mantissa & ((1 << dropped) - 1)
-    half = 1 << (dropped - 1)
-    kept = mantissa >> dropped
-    return kept + (rest > half or (rest == half and kept & 1)), dropped
-
-
-def _quotient(over: int, under: int) -> tuple[int, int]:
-    """A quotient with enough bits that later rounding is exact."""
-    return (over << 256) // under, -256
+def _quotient(over: int, under: int) -> int:
+    return (over << _EXTRA) // under
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """A root with enough bits that later rounding is exact."""
+    """The root's mantissa and exponent."""
     odd = value.exponent & 1
-    return isqrt(value.mantissa << (256 + odd)), (value.exponent - odd) // 2 - 128
+    return isqrt(value.mantissa << (_EXTRA + odd)), (value.exponent - odd - _EXTRA) // 2

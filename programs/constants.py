@@ -15,13 +15,12 @@ or, after "not", with which: "not stop=inside".
 
 import inspect
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal, NamedTuple, get_args, get_origin, get_type_hints
 
 from programs.arithmetic import ARITHMETICS, Arithmetic
 from programs.drill import Holes, places
-from programs.program import PartProgram
 from programs.units import Unit
 
 _NOT = "not "
@@ -79,7 +78,7 @@ class Constant(NamedTuple):
         return kept
 
 
-def constants(program: PartProgram) -> list[Constant]:
+def constants(program: Callable[..., str]) -> list[Constant]:
     """Return the constants of `program`, in the order of its signature."""
     hints = get_type_hints(program, include_extras=True)
     found: list[Constant] = []
@@ -91,7 +90,7 @@ def constants(program: PartProgram) -> list[Constant]:
     return found
 
 
-def arguments(program: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]:
+def arguments(program: Callable[..., str], values: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keywords to call `program` with, for some or all of its constants, as it keeps them."""
     keywords: dict[str, Any] = {}
     for name, parameter in inspect.signature(program).parameters.items():
@@ -103,7 +102,7 @@ def arguments(program: PartProgram, values: Mapping[str, Any]) -> dict[str, Any]
     return keywords
 
 
-def taken(program: PartProgram, asked: Mapping[str, Any]) -> dict[str, Any]:
+def taken(program: Callable[..., str], asked: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keywords for `program` from constants in command units. Raises ValueError."""
     known = {constant.name: constant for constant in constants(program)}
     values = {}

@@ -23,23 +23,17 @@ class Format:
     """A FORMAT statement's fields: `Format("1X,I5,I4")`."""
 
     def __init__(self, fields: str) -> None:
-        self._fields = [_field(field) for field in fields.split(",")]
+        self._fields = fields.split(",")
 
     def line(self, *values: SupportsInt, overflow: Overflow = "low-digits") -> str:
         r"""Return the line that PRINT gives for `values`, one for each I-field, ended by "\n"."""
-        numbers = iter(values)
-        return (
-            "".join(
-                _integer(int(next(numbers)), width, overflow) if takes_value else " " * width
-                for takes_value, width in self._fields
-            )
-            + "\n"
-        )
-
-
-def _field(field: str) -> tuple[bool, int]:
-    """(takes a value, width) of one field."""
-    return (False, int(field[:-1])) if field.endswith("X") else (True, int(field[1:]))
+        line, numbers = "", iter(values)
+        for field in self._fields:
+            if field.endswith("X"):
+                line += " " * int(field[:-1])
+            else:
+                line += _integer(int(next(numbers)), int(field[1:]), overflow)
+        return line + "\n"
 
 
 def _integer(number: int, width: int, overflow: Overflow) -> str:

@@ -5,13 +5,12 @@ A new part program is a file with a function `part(...)` and an entry here.
 Sources: thesis, Chapter 3 and Chapters 6 to 8.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from inspect import signature
 from types import SimpleNamespace
 from typing import Any, Final, NamedTuple
 
-from programs.program import PartProgram
 from tapes.errors import WorkError
 from tapes.nominal import Nominal
 
@@ -31,9 +30,9 @@ class Part(NamedTuple):
     has_defaults: bool = True
     file: str = ""
 
-    def program(self) -> PartProgram:
-        """Import the part program and return its function."""
-        program: PartProgram = import_module(f"programs.{self.name}").part
+    def program(self) -> Callable[..., str]:
+        """Import the part program and return its function: its constants as keywords, to its printout."""
+        program: Callable[..., str] = import_module(f"programs.{self.name}").part
         return program
 
     def nominal(self, values: Mapping[str, Any] = NO_VALUES) -> Nominal | None:

@@ -4,6 +4,7 @@ Constant("radius", "RAD: ...", 1750, THOUSANDTHS)     --radius INCHES, its help 
 Constant("expression", "y as a function of x")        EXPRESSION, an argument
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import click
@@ -11,7 +12,6 @@ import click
 from pdp8.cli.shared.arguments import Source
 from pdp8.cli.shared.rules import Option
 from programs.constants import REQUIRED, Constant, constants
-from programs.program import PartProgram
 
 
 class Typed(click.ParamType[Any]):
@@ -28,12 +28,12 @@ class Typed(click.ParamType[Any]):
             self.fail(f"{error}.", param, ctx)
 
 
-def parameters(program: PartProgram, file: bool = False) -> list[click.Parameter]:
+def parameters(program: Callable[..., str], file: bool = False) -> list[click.Parameter]:
     """Return the click parameters of `program`, in the order of its signature; an argument may be a file."""
     return [_parameter(constant, file) for constant in constants(program) if constant.meaning]
 
 
-def explained(program: PartProgram) -> str:
+def explained(program: Callable[..., str]) -> str:
     """Return a sentence for each argument of `program`, such as "EXPRESSION is y as a function of x"."""
     return " ".join(
         f"{constant.name.upper()} is {constant.meaning}."

@@ -8,7 +8,7 @@ drawn has its name or its dimension in the text; places and sizes are ours.
 from collections.abc import Iterator
 from math import cos, radians, sin
 
-from nc.drawing import INK, Sheet, around, polyline
+from nc.drawing import INK, Sheet, View, around, polyline
 from pdp8.thesis.table import text_of
 from programs import fluidic
 
@@ -39,7 +39,7 @@ def element() -> str:
     window = around([place for path in paths for place in path]).grown(500)
     scale = 0.7
     sheet = Sheet(window.width * scale / 10 + 100, window.height * scale / 10 + 70, "The bistable element")
-    view = sheet.view(70, 16, window, scale)
+    view = View(sheet, 70, 16, window, (scale, scale))
     for colour, line in ((INK, 1.4), (_CAVITY, 0.0)):
         for path in paths:
             wide = {"stroke_width": _SLOT * view.unit + line * 2, "stroke_linejoin": "round"}

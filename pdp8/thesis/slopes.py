@@ -37,7 +37,7 @@ def wrong_slope() -> str:
     """Figure 3.1: 30 degrees by a single instruction, at either of two ratios of X and Y feed."""
     window = Window(600, 700, 6400, 4300)
     sheet = Sheet(_LEFT + 580 + 30, _TOP + 360 + 50, "A 30 degree slope by a single instruction")
-    view = sheet.view(_LEFT, _TOP, window, 1)
+    view = View(sheet, _LEFT, _TOP, window, (1, 1))
     _cone(view)
     view.line([_START, _END], stroke=INK, stroke_width=1, stroke_dasharray="8 4")
     for row, (ratio, x_code, y_code, colour) in enumerate(_RATIOS):
@@ -125,7 +125,7 @@ def _technique(
     sheet.text(_LEFT, 42, said, fill=FAINT)
     for place, (words, colour) in enumerate(legend):
         sheet.text(_LEFT + 100 * place, 62, words, fill=colour)
-    view = sheet.view(_LEFT, _TOP, window, 1)
+    view = View(sheet, _LEFT, _TOP, window, (1, 1))
     view.line(band(0), stroke=_INTENDED, stroke_dasharray="8 4")
     for side in (-tolerance, tolerance):
         view.line(band(side), stroke=_LIMIT)

@@ -14,7 +14,7 @@ from PIL import Image
 
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine
-from nc.drawing import Sheet, Window, round_step
+from nc.drawing import Sheet, View, Window, round_step
 from nc.inspection import Inspection, Walls, followed, inspect
 from nc.plot import plot
 from nc.talyrond import _Graph, talyrond
@@ -159,7 +159,7 @@ def test_the_figures_of_a_scale_have_room() -> None:
     assert [*map(round_step, (1, 1.1, 2, 2.1, 5, 5.1, 10, 11, 450))] == [1, 2, 2, 5, 5, 10, 10, 20, 500]
     for scale, figure in ((0.09, "5.0"), (4.5, "0.1"), (45, "0.01"), (450, "0.001")):
         sheet = Sheet(100, 100, "scale")
-        sheet.view(0, 0, Window(0, 0, 450 / scale, 450 / scale), scale)
+        View(sheet, 0, 0, Window(0, 0, 450 / scale, 450 / scale), (scale, scale))
         zero = f"{0:.{len(figure) - 2}f}"
         assert words(sheet.svg()) == [zero, figure, zero, figure, "X, inches", "Y, inches"]
     for length, figure in ((137, "0.01"), (138, "0.02"), (1650, "0.20"), (1651, "0.20")):

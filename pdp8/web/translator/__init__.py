@@ -64,7 +64,7 @@ OMITTED = {
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
     "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 PDP8 ARITHMETICS _word _half_up"
-    " _magnitude_bits _normal _towards_zero _chopped _nearest _quotient _root",
+    " _magnitude_bits _normal _towards_zero _chopped _floored _nearest _quotient _root _EXTRA",
 }
 """What is left out of the translation: code for notebooks, files and pickles, which a page does not have."""
 
