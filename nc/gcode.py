@@ -19,6 +19,7 @@ LinuxCNC's description of G84, for the order of a tap with a floating holder.
 """
 
 from collections.abc import Iterator
+from functools import cache
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -79,17 +80,17 @@ def check_taps(path: Path, pitch: float) -> None:
     taps = [*filter(is_tap, path.steps)]
     if pitch and not taps:
         raise WorkError("no block of this tape taps: leave out --tap")
-    tap = next((step for step in taps if not (pitch and step.modes.spindle)), None)
-    if tap is None:
-        return
-    if not tap.modes.spindle:
-        raise WorkError(f"block {tap.number} taps with the spindle at rest")
-    feed, speed = tap.modes.z_feed or 0, tap.modes.spindle
-    raise WorkError(
-        f"block {tap.number} taps, preparatory function {tap.block.preparatory}, at {feed:g} in/min and "
-        f"{speed} rpm, {feed / speed:.4f} in a turn: the tape does not say the pitch of the tap, and a tap "
-        "fed at another breaks. With a floating tap holder give it: --tap 0.05 for 20 threads to the inch"
-    )
+    for tap in taps:
+        feed, speed = tap.modes.z_feed or 0, tap.modes.spindle
+        if not speed:
+            raise WorkError(f"block {tap.number} taps with the spindle at rest")
+        if not pitch:
+            raise WorkError(
+                f"block {tap.number} taps, preparatory function {tap.block.preparatory}, at {feed:g} in/min "
+                f"and {speed} rpm, {feed / speed:.4f} in a turn: the tape does not say the pitch of the tap, "
+                "and a tap fed at another breaks. With a floating tap holder give it: --tap 0.05 for 20 "
+                "threads to the inch"
+            )
 
 
 def tap_feed(modes: Modes, pitch: float) -> float:
@@ -107,22 +108,21 @@ def _header(path: Path, program: "_Program", points: list[int]) -> Iterator[str]
     (left, near, deepest), (right, far, _) = program.low, program.high
     feeds, speeds = (" to ".join(f"{to:g}" for to in sorted({min(of), max(of)})) for of in program.rates)
     minutes = (path.times.milling + path.times.z_feed) / 60
-    across, word = output.cutter, unit.said
+    across = output.cutter
+
+    def word(thousandths: float) -> str:
+        return unit.said(thousandths, 4)
+
     yield f"Moog Hydra-Point tape of 1971, {len(path)} blocks, about {minutes:.0f} min of cutting"
-    yield (
-        f"X {word(left, 4)} to {word(right, 4)}, Y {word(near, 4)} to {word(far, 4)}: "
-        "the path of the cutter's centre"
-    )
-    yield f"cutter {word(across, 4)} across, which no tape says: its edge goes {word(across / 2, 4)} further"
-    others = "".join(f", others {word(points[0] - point, 4)}" for point in points[1:])
-    yield f"Z 0 is the stock's top, set it with the cutter on it: feed point {word(points[0], 4)}{others}"
-    yield f"depth {word(-deepest, 4)}, safe Z {word(output.safe, 4)}, work offset G54"
+    yield f"X {word(left)} to {word(right)}, Y {word(near)} to {word(far)}: the path of the cutter's centre"
+    yield f"cutter {word(across)} across, which no tape says: its edge goes {word(across / 2)} further"
+    others = "".join(f", others {word(points[0] - point)}" for point in points[1:])
+    yield f"Z 0 is the stock's top, set it with the cutter on it: feed point {word(points[0])}{others}"
+    yield f"depth {word(-deepest)}, safe Z {word(output.safe)}, work offset G54"
     yield f"spindle {speeds} rpm, feeds {feeds} {unit.name}/min"
     if output.pitch:
-        yield (
-            f"tapping: floating tap holder, pitch {word(output.pitch, 4)}, fed at speed x pitch; "
-            "leave feed and speed override at 100 per cent"
-        )
+        tap = f"floating tap holder, pitch {word(output.pitch)}, fed at speed x pitch"
+        yield f"tapping: {tap}; leave feed and speed override at 100 per cent"
     yield from (f"left out: {what}" for what in program.left_out)
 
 
@@ -148,7 +148,7 @@ class _Program:
         self.low, self.high = [1e9, 1e9, 1e9], [-1e9, -1e9, -1e9]
         self.rates: tuple[list[float], list[float]] = [], []
         self._at: list[str] = ["", "", ""]
-        self._words: dict[float, str] = {}
+        self._word = cache(lambda place: output.unit.said(place, 4))
         self._coolant = "off"
         self._turning = 0
         self._waiting: list[tuple[str, str]] = []
@@ -161,12 +161,8 @@ class _Program:
                 self._cut(step, move, f" (N{step.number})")
             elif move.kind == MoveKind.RETRACT:
                 self._go("G0", z=self.output.safe)
-        function = step.block.miscellaneous
-        if function in _OTHERS:
-            self._put_off(step, function)
-
-    def _put_off(self, step: Step, function: int) -> None:
-        of_block, changes = f"of block {step.number}", self.output.tool_change
+        function, changes = step.block.miscellaneous, self.output.tool_change
+        of_block = f"of block {step.number}"
         if function in COOLANT and step.modes.coolant != "off" and not changes:
             self.left_out.append(f"{step.modes.coolant} coolant {of_block}")
         if step.tool_changed or (function == Miscellaneous.MANUAL_TOOL_CHANGE and step.block.tool):
@@ -229,13 +225,6 @@ class _Program:
             self.lines += [*(["M9"] if self._coolant != "off" else []), *_COOLANT[coolant]]
         self._turning, self._coolant = speed, coolant
 
-    def _word(self, place: float) -> str:
-        """Return a coordinate as the program writes it."""
-        word = self._words.get(place)
-        if word is None:
-            word = self._words[place] = self.output.unit.said(place, 4)
-        return word
-
     def _go(
         self,
         code: str,
@@ -261,12 +250,6 @@ class _Program:
                 self.rates[0].append(rate)
                 line += f" F{rate}"
         self.lines.append(line + note)
-
-
-_OTHERS = frozenset(MISCELLANEOUS) - {
-    Miscellaneous.NO_CHANGE, Miscellaneous.X_FEED, Miscellaneous.Y_FEED, Miscellaneous.Z_FEED
-}  # fmt: skip
-"""The functions of which a program may say something."""
 
 
 def _cuts(step: Step) -> bool:

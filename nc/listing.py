@@ -7,8 +7,9 @@ P is the preparatory, TF the tool, MF the miscellaneous function. Lengths are in
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 
-from nc.path import Modes, Move, MoveKind, Path, Position, Step
+from nc.path import Move, MoveKind, Path, Position, Step
 from tapes.hydrapoint import HOLE_MAKING, MISCELLANEOUS, PREPARATORY, Block, Miscellaneous, Preparatory
 
 HEADING = "block seq P       X       Y  TF MF  does"
@@ -19,16 +20,10 @@ def lines(path: Path, modes: bool = False) -> Iterator[str]:
     """Yield the table line by line, without line ends; `modes` adds what is in force and the clock."""
     yield HEADING[: -len("does")] + MODES_HEADING + "  does" if modes else HEADING
     for step, now in zip(path.steps, path.clock(), strict=True):
-        columns = _columns(step)
+        block = step.block
+        columns = f"{step.number:5} {block.sequence:03} {block.preparatory} {block.x / 1000:7.3f}"
+        columns += f" {block.y / 1000:7.3f}  {block.tool:02} {block.miscellaneous:02}  "
         yield f"{columns}{_modes(step, now)}  {does(step)}" if modes else f"{columns}{does(step)}"
-
-
-def _columns(step: Step) -> str:
-    block = step.block
-    return (
-        f"{step.number:5} {block.sequence:03} {block.preparatory} {block.x / 1000:7.3f} {block.y / 1000:7.3f}"
-        f"  {block.tool:02} {block.miscellaneous:02}  "
-    )
 
 
 def _modes(step: Step, now: float) -> str:
@@ -53,36 +48,33 @@ def does(step: Step) -> str:
 
 def spaced(block: Block) -> str:
     """Return the 19 digits with spaces between their fields, as the thesis prints them."""
-    digits = block.digits
-    return " ".join(
-        (digits[:3], digits[3], digits[4:9], digits[9:14], digits[14], digits[15:17], digits[17:])
-    )
+    return " ".join(block.digits[start:end] for start, end in pairwise((0, 3, 4, 9, 14, 15, 17, 19)))
 
 
 def in_force(step: Step) -> str:
     """Describe the cutter's place after the block and what is in force."""
     modes = step.modes
-    feeds = ", ".join(
-        f"{axis} feed {feed:.1f}"
-        for axis, feed in (("X", modes.x_feed), ("Y", modes.y_feed), ("Z", modes.z_feed))
-        if feed is not None
+    feeds = [("X", modes.x_feed), ("Y", modes.y_feed), ("Z", modes.z_feed)]
+    fed = ", ".join(f"{axis} feed {feed:.1f}" for axis, feed in feeds if feed is not None)
+    parts = (
+        f"at {place(step.at)}, {quill(step.at)}",
+        fed and f"{fed} in/min",
+        modes.spindle and f"spindle {modes.spindle} rpm",
+        modes.tool and f"tool {modes.tool:02}",
+        f"coolant {modes.coolant}",
+        modes.partial_retract and "partial retract",
     )
-    parts = [f"at {place(step.at)}, quill {_quill(step.at)}", feeds + " in/min" if feeds else ""]
-    parts += [
-        f"spindle {modes.spindle} rpm" if modes.spindle else "",
-        f"tool {modes.tool:02}" if modes.tool else "",
-    ]
-    parts += [f"coolant {modes.coolant}", "partial retract" if modes.partial_retract else ""]
     return " · ".join(part for part in parts if part)
 
 
-def place(at: Position) -> str:
+def place(at: Position | Block) -> str:
     """Return X and Y in inches."""
     return f"X {at.x / 1000:.3f} Y {at.y / 1000:.3f}"
 
 
-def _quill(at: Position) -> str:
-    return f"down {at.z / 1000:.3f}" if at.z else "up"
+def quill(at: Position) -> str:
+    """Return how far the quill is down, inches."""
+    return f"quill down {at.z / 1000:.3f}" if at.z else "quill up"
 
 
 def _moves(step: Step) -> str:
@@ -90,10 +82,10 @@ def _moves(step: Step) -> str:
     if block.preparatory == Preparatory.READ_Z:
         return f"read Z: feed point {block.x / 1000:.3f}, final depth {block.y / 1000:.3f}"
     if block.preparatory == Preparatory.POSITION:
-        return f"position to {_xy(step)}"
+        return f"position to {place(block)}"
     if block.preparatory in HOLE_MAKING:
-        name = PREPARATORY[block.preparatory]
-        return f"{name} at {_xy(step)}, {_depths(modes)} at {modes.z_feed:.1f} in/min"
+        depths = f"from {(modes.feed_point or 0) / 1000:.3f} to {modes.final_depth / 1000:.3f}"
+        return f"{PREPARATORY[block.preparatory]} at {place(block)}, {depths} at {modes.z_feed:.1f} in/min"
     plunge = next((move for move in step.moves if move.kind is MoveKind.FEED_IN), None)
     mills = [_mill(move) for move in step.moves if move.kind is MoveKind.MILL] or ["mill, already there"]
     down = [f"quill to {plunge.end.z / 1000:.3f} at {plunge.speed:.1f} in/min"] if plunge else []
@@ -107,14 +99,6 @@ def _mill(move: Move) -> str:
         if start != end
     ]
     return f"mill {' '.join(goes)} at {move.speed:.1f} in/min"
-
-
-def _xy(step: Step) -> str:
-    return f"X {step.block.x / 1000:.3f} Y {step.block.y / 1000:.3f}"
-
-
-def _depths(modes: Modes) -> str:
-    return f"from {(modes.feed_point or 0) / 1000:.3f} to {modes.final_depth / 1000:.3f}"
 
 
 def _function(step: Step) -> str:

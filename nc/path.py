@@ -178,7 +178,8 @@ class Path:
         for move in self.moves:
             spent[_SPENT[move.kind]] += move.seconds
         changes = self.tool_change_seconds * sum(step.tool_changed for step in self.steps)
-        return Times(self.read_seconds * len(self.steps), *spent.values(), changes)
+        positioning, z_feed, milling = spent.values()
+        return Times(self.read_seconds * len(self.steps), positioning, z_feed, milling, changes)
 
     def array(self) -> "NDArray[float64]":
         """Return X, Y, Z of the tip, thousandths, before the first move and after each: (moves + 1, 3)."""

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from nc.curves import Ellipse
 from nc.inspection import Inspection, Reading
-from nc.listing import place
+from nc.listing import place, quill
 from nc.path import STEP, Path, Position
 from nc.unit import INCH, Unit
 from tapes.hydrapoint import POSITIONING_SPEED
@@ -28,7 +28,7 @@ def cut_report(path: Path, passes: int = 1) -> Iterator[str]:
     yield from _times(path)
     if passes > 1:
         total = path.times.total
-        yield f"{passes} passes".ljust(14) + f"{_minutes(passes * total)}   {total / 60:.1f} each"
+        yield f"{f'{passes} passes':14}{_minutes(passes * total)}   {total / 60:.1f} each"
 
 
 def _what(path: Path) -> Iterator[str]:
@@ -48,21 +48,19 @@ def _what(path: Path) -> Iterator[str]:
         yield f"milling ends  {place(path.cuts[-1].end)}, {closes}"
     if path.steps:
         last = path.steps[-1].at
-        yield f"cutter        {place(last)}, quill {f'down {last.z / 1000:.3f}' if last.z else 'up'}"
+        yield f"cutter        {place(last)}, {quill(last)}"
 
 
 def _times(path: Path) -> Iterator[str]:
     times = path.times
-    changes = sum(step.tool_changed for step in path.steps)
-    each = (
-        f"{changes} at {path.tool_change_seconds:g} s"
-        if path.tool_change_seconds
-        else f"{changes}, time not counted"
-    )
+    changes, seconds = sum(step.tool_changed for step in path.steps), path.tool_change_seconds
+    each = f"{changes} at {seconds:g} s" if seconds else f"{changes}, time not counted"
     yield f"reading       {_minutes(times.reading)}   {len(path)} blocks at {path.read_seconds:g} s"
     yield f"positioning   {_minutes(times.positioning)}   at {POSITIONING_SPEED:g} in/min"
     yield f"Z feed        {_minutes(times.z_feed)}"
-    yield f"milling       {_minutes(times.milling)}   {_feeds(path)}".rstrip()
+    feeds = sorted({round(move.speed, 3) for move in path.cuts})
+    fed = f"   at {' to '.join(f'{feed:g}' for feed in feeds[:1] + feeds[1:][-1:])} in/min" if feeds else ""
+    yield f"milling       {_minutes(times.milling)}{fed}"
     yield f"tool changes  {_minutes(times.tool_changes)}   {each}"
     yield f"machining     {_minutes(times.total)}"
     if path.cuts:
@@ -72,13 +70,6 @@ def _times(path: Path) -> Iterator[str]:
             f"reading {contour.reading / 60:.1f}, cutting {contour.milling / 60:.1f}, "
             f"efficiency {contour.efficiency:.0%}"
         )
-
-
-def _feeds(path: Path) -> str:
-    feeds = sorted({round(move.speed, 3) for move in path.cuts})
-    if not feeds:
-        return ""
-    return f"at {feeds[0]:g} in/min" if len(feeds) == 1 else f"at {feeds[0]:g} to {feeds[-1]:g} in/min"
 
 
 def _minutes(seconds: float) -> str:
@@ -112,7 +103,9 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
         f"{worst.place}, from {unit.signed(worst.lowest)} to {unit.signed(worst.highest)}"
         + (f"; thesis {_WORST_1971}" if _is_the_thesiss(inspection) else "")
     )
-    yield from _diagonals(inspection, unit)
+    diagonal = [each.trough_to_peak for each in inspection.readings if _is_diagonal(each)]
+    if diagonal:
+        yield f"at 45 degrees {unit.error(min(diagonal))} to {unit.error(max(diagonal))} {unit.name}"
     yield _verdict(inspection, unit)
 
 
@@ -124,38 +117,23 @@ def _side(inspection: Inspection, end: int, unit: Unit) -> str:
 def _verdict(inspection: Inspection, unit: Unit) -> str:
     furthest = inspection.furthest
     sign = 1 if furthest.error > 0 else -1
-    most = sign * max(
-        sign * reading.error for reading in inspection.readings if reading.wall == furthest.wall
-    )
-    off = f"{unit.signed(most)} off nominal at most, {furthest.wall} wall, {furthest.place}"
+    most = max(sign * each.error for each in inspection.readings if each.wall == furthest.wall)
+    off = f"{unit.signed(sign * most)} off nominal at most, {furthest.wall} wall, {furthest.place}"
     if inspection.curve.guessed:
         return f"no verdict, as the nominal is guessed: {off}"
-    return (
-        f"{'within' if inspection.within_tolerance else 'out of'} tolerance: "
-        + ("not all of the curve is cut; " if inspection.uncut else "")
-        + f"{off}; {unit.error(inspection.tolerance)} is allowed"
-    )
+    judged = "within" if inspection.within_tolerance else "out of"
+    uncut = "not all of the curve is cut; " if inspection.uncut else ""
+    return f"{judged} tolerance: {uncut}{off}; {unit.error(inspection.tolerance)} is allowed"
 
 
 def _readings(inspection: Inspection, unit: Unit) -> Iterator[str]:
     is_thesis = _is_the_thesiss(inspection)
-    yield f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak" + (
-        "   thesis" if is_thesis else ""
-    )
+    heading = f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak"
+    yield f"{heading}   thesis" if is_thesis else heading
     for reading in inspection.readings:
-        figure = _DIAGONALS_1971 if is_thesis and _is_diagonal(reading) else ""
-        line = (
-            f"{reading.place:14}{reading.wall:7}{unit.signed(reading.lowest):>9}{unit.signed(reading.highest):>9}"
-            f"{unit.error(reading.trough_to_peak):>16}   {figure}"
-        )
-        yield line.rstrip()
-
-
-def _diagonals(inspection: Inspection, unit: Unit) -> Iterator[str]:
-    """Yield the roughness at 45 degrees, where the steps are closest."""
-    diagonal = [r.trough_to_peak for r in inspection.readings if _is_diagonal(r)]
-    if diagonal:
-        yield f"at 45 degrees {unit.error(min(diagonal))} to {unit.error(max(diagonal))} {unit.name}"
+        errors = f"{unit.signed(reading.lowest):>9}{unit.signed(reading.highest):>9}"
+        line = f"{reading.place:14}{reading.wall:7}{errors}{unit.error(reading.trough_to_peak):>16}"
+        yield f"{line}   {_DIAGONALS_1971}" if is_thesis and _is_diagonal(reading) else line
 
 
 def _is_diagonal(reading: Reading) -> bool:

@@ -40,7 +40,7 @@ class _Graph:
     def __init__(self, inspection: Inspection, name: str) -> None:
         self.inspection, self.name = inspection, name
         both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
-        self.low, self.high = 5 * floor(np.nanmin(both) / 5), 5 * ceil(np.nanmax(both) / 5)
+        self.low, self.high = 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
         divisions = self.high - self.low
         fitting = (times for times in _MAGNIFICATIONS if divisions * times / 10 <= _ROOM)
         self.magnification = next(fitting, min(_MAGNIFICATIONS))
@@ -56,9 +56,9 @@ class _Graph:
         self._spokes()
         for wall, deviation in self.inspection.walls.by_name.items():
             self._trace(deviation, COLOURS[wall])
-        for deviation in range(self.low, self.high + 1, 5):
-            x, y = self._at(22.5, deviation)
-            self.sheet.label(x, y + 4, signed(deviation), text_anchor="middle")
+        for division in range(self.low, self.high + 1, 5):
+            x, y = self._at(22.5, division)
+            self.sheet.label(x, y + 4, signed(division), text_anchor="middle")
         self._readings()
         return self.sheet.svg()
 
