@@ -20,7 +20,7 @@ from pdp8.monitor.prompt import Monitor
 Value = Callable[[], int]
 """An expression that was read: called, it gives what it is now."""
 
-_TOKEN = re.compile(r"\s*(?:([0-9]+)|([A-Za-z][A-Za-z0-9]*)|(&&|\|\||[=!<>]=|[-+&|<>!()\[\]]))\s*")
+_TOKEN = re.compile(r"\s*(?:([0-9]+)|([A-Za-z][A-Za-z0-9]*)|(&&|\|\||[=!<>]=|[-+&|<>!()\[\]]))")
 _OPERATORS = "&& || ! == != < <= > >= + - & |"
 _WORDS = {"&&": " and ", "||": " or ", "!": " not "}
 _MADE: dict[type[ast.AST], Callable[[int, int], int]] = {

@@ -1,0 +1,315 @@
+"""A debugger's answers within one process: both sides of each limit, each setting beside its effect."""
+
+import base64
+import os
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from pdp8 import shelf
+from pdp8.computer.machine import Machine
+from pdp8.dap import calls, expressions, requests, wire
+from pdp8.dap.breakpoints import ADDRESSES, Point
+from pdp8.dap.launch import Launch
+from pdp8.dap.places import Places
+from pdp8.monitor.prompt import Monitor
+from tapes.errors import WorkError
+from tests.pdp8.dap.test_wire import held
+
+SOURCE = "*200\n\tJMS SUB\n\tHLT\n*300\nSUB,\t0\n\tISZ N\nLAST,\tJMP I SUB\nN,\t7775\nHALF=1234\n$\n"
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    path = tmp_path / "own.pal"
+    path.write_text(SOURCE)
+    return str(path)
+
+
+def asked(program: str, *requests: tuple[str, dict[str, Any]]) -> list[Any]:
+    """Return the body of each answer, or its message, of a program that is stopped at its entry."""
+    begun = ("launch", {"program": program, "stopOnEntry": True}), ("configurationDone", {})
+    heard = [each for each in held(*begun, *requests) if each["type"] == "response"]
+    return [each.get("body") if each["success"] else each["message"] for each in heard[2:]]
+
+
+def words(*of: int) -> str:
+    return base64.b64encode(b"".join(word.to_bytes(2, "big") for word in of)).decode()
+
+
+@pytest.mark.parametrize(
+    ("offset", "data", "answer"),
+    [
+        (0, words(0o7777), {"bytesWritten": 2}),
+        (0, words(0o10000), "10000 into 0200: a word is 0000 to 7777"),
+        (0x1EFE, words(1), {"bytesWritten": 2}),
+        (0x1EFE, words(1, 2), "bytes 1ffe to 2002: core has 0 to 2000"),
+        (-0x100, words(3), {"bytesWritten": 2}),
+        (-0x102, words(3), "bytes -2 to 0: core has 0 to 2000"),
+        (0, "A", "the bytes to write are not in base64: "),
+        (0, "AA*=", "the bytes to write are not in base64: "),
+    ],
+)
+def test_bytes_are_written_within_core(offset: int, data: str, answer: Any, program: str) -> None:
+    (found,) = asked(program, ("writeMemory", {"memoryReference": "0x100", "offset": offset, "data": data}))
+    assert found.startswith(answer) if isinstance(answer, str) else found == answer
+
+
+@pytest.mark.parametrize(
+    ("offset", "count", "address", "bytes_", "unreadable"),
+    [
+        (0, 0, "0x0100", 0, 0),
+        (1, 3, "0x0101", 3, 0),
+        (0x1EFE, 2, "0x1ffe", 2, 0),
+        (0x1EFF, 2, "0x1fff", 1, 1),
+        (0x1F00, 1, "0x2000", 0, 1),
+        (0x2000, 1, "0x2000", 0, 1),
+        (-0x101, 2, "0x0000", 2, 0),
+        (0, -1, "0x0100", 0, 0),
+    ],
+)
+def test_bytes_are_read_as_far_as_there_are_any(
+    offset: int, count: int, address: str, bytes_: int, unreadable: int, program: str
+) -> None:
+    given = {"memoryReference": "0x100", "offset": offset, "count": count}
+    (found,) = asked(program, ("readMemory", given))
+    length = len(base64.b64decode(found["data"]))
+    assert (found["address"], length, found["unreadableBytes"]) == (address, bytes_, unreadable)
+
+
+def test_instructions_have_their_names_and_are_within_core(program: str) -> None:
+    def listed(reference: str, count: int, **more: int) -> tuple[str, dict[str, Any]]:
+        return "disassemble", {"memoryReference": reference, "instructionCount": count, **more}
+
+    named, moved, ends, odd, all_, defined = asked(
+        program,
+        listed("0x0180", 3),
+        listed("0x0180", 1, offset=2, instructionOffset=-1),
+        listed("0x1ffe", 2),
+        listed("0x0181", 1),
+        listed("0x0000", 5000),
+        listed("0x0538", 1),
+    )
+    names = ("address", "symbol", "instructionBytes")
+    shown = [tuple(map(each.get, names)) for each in named["instructions"]]
+    assert shown == [
+        ("0x0180", "SUB", "0000"), ("0x0182", None, "2303"), ("0x0184", "LAST", "5700"),
+    ]  # fmt: skip
+    assert [each["address"] for each in moved["instructions"]] == ["0x0180"]
+    assert [each.get("presentationHint") for each in ends["instructions"]] == [None, "invalid"]
+    assert odd == "0x0181: no word begins at byte 181"
+    assert len(all_["instructions"]) == 4096
+    assert "symbol" not in defined["instructions"][0], "HALF is a value, and no place"
+
+
+@pytest.mark.parametrize(
+    ("condition", "stood"),
+    [
+        ("3", [3]), ("==3", [3]), (" > 3 ", [4, 5, 6]), (">= 3", [3, 4, 5, 6]), ("< 3", [1, 2]),
+        ("<= 3", [1, 2, 3]),
+        ("% 3", [3, 6]), ("% 1", [1, 2, 3, 4, 5, 6]), ("% 0", []),
+    ],
+)  # fmt: skip
+def test_a_breakpoint_stops_at_the_hits_that_are_asked_for(condition: str, stood: list[int]) -> None:
+    monitor, places = Monitor(lambda line: None, Machine()), Places(shelf.program("hello.pal"))
+    point = Point(1, ADDRESSES, "200", {"name": "200", "hitCondition": condition})
+    point.place(monitor, places)
+    assert [hit for hit in range(1, 7) if point.stops(10 * hit, [])] == stood
+    assert [hit for hit in range(1, 7) if point.stopped(10 * hit)] == stood
+    assert not any(point.stopped(10 * hit + 1) for hit in range(7)), "there was no hit"
+
+
+@pytest.mark.parametrize("depth", [0, 1, 63, 64, 65])
+def test_the_innermost_64_calls_are_shown(depth: int) -> None:
+    core = [0o7000] * 4096
+    for number in range(depth):
+        place = 0o1000 + 3 * number
+        caller = place - 2 if number else 0o200
+        core[0o20 + number], core[place], core[caller] = place, caller + 1, 0o4420 + number
+    found = calls.frames(core, 0o1001 + 3 * (depth - 1) if depth else 0o200, 1)
+    assert len(found) == min(depth, 64) + 1
+    assert [frame.entry for frame in found] == [*[0o1000 + 3 * n for n in range(depth)][::-1][:64], None]
+
+
+@pytest.mark.parametrize(
+    ("core", "pc", "ion", "entries"),
+    [
+        ({0: 0o201, 1: 0o7000}, 1, 0, [0, None]),
+        ({0: 0o201, 1: 0o7000}, 1, 1, [None]),
+        ({0: 0, 1: 0o7000}, 1, 0, [None]),
+        ({0: 0o201, 1: 0}, 1, 0, [None]),
+        ({0o100: 0o4210, 0o210: 0o101, 0o211: 0o7000}, 0o212, 1, [None]),  # JMS 0010
+        ({0o200: 0o4210, 0o210: 0o201}, 0o212, 1, [0o210, None]),
+        ({0o200: 0o4210, 0o210: 0o204}, 0o212, 1, [0o210, None]),  # three arguments
+        ({0o200: 0o4210, 0o210: 0o205}, 0o212, 1, [None]),
+        ({0o200: 0o4210, 0o210: 0o200}, 0o212, 1, [None]),
+        # a routine begins at 0001 and goes through the first word of what was interrupted
+        ({0: 0o300, 1: 0o5020, 0o20: 0o201, 0o21: 0o5040, 0o30: 0o202, 0o31: 0o5430, 0o200: 0o4020,
+          0o201: 0o4030}, 0o40, 0, [0, None]),
+        # a skip may pass the return: ISZ, IOT, SZA, and SKP; CLA has none
+        *(({0o200: 0o4210, 0o210: 0o201, 0o211: word, 0o212: 0o5610}, 0o213, 1, [0o210, None])
+          for word in (0o2010, 0o6031, 0o7440, 0o7410)),
+        *(({0o200: 0o4210, 0o210: 0o201, 0o211: word, 0o212: 0o5610}, 0o213, 1, [None])
+          for word in (0o7200, 0o7600, 0o7421, 0o1010)),
+    ],
+)  # fmt: skip
+def test_who_called_is_what_the_words_in_core_say(
+    core: dict[int, int], pc: int, ion: int, entries: list[int | None]
+) -> None:
+    words = [core.get(address, 0o7000 if address > 1 else 0) for address in range(4096)]
+    assert [frame.entry for frame in calls.frames(words, pc, ion)] == entries
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"memory": "8k"}, None),
+        ({"memory": "9k"}, "memory: 9k; 4k, 8k"),
+        ({"boot": True, "program": ["own.pal", "own.pal"]}, "boot: the program is one tape"),
+        ({"program": ["own.pal", "-"]}, "-: standard input and output are the debugger's own"),
+        ({"punch": "-"}, "-: standard input"),
+        ({"reader": ["-"]}, "-: standard input"),
+        ({"boot": 1}, "boot: true or false expected, not 1"),
+        ({"sr": 7}, "sr: a text in quotes expected, not 7"),
+        ({"commands": ["step", 1]}, "commands: a text or a list of texts expected"),
+        ({"sr": None, "unknown": 1, "commands": "deposit SR 1"}, None),
+    ],
+)
+def test_a_configuration_is_taken_or_refused(
+    given: dict[str, Any], said: str | None, program: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(Path(program).parent)
+    (answer,) = [
+        each for each in held(("launch", {"program": "own.pal", **given})) if each["type"] == "response"
+    ]
+    assert answer["success"] is (said is None)
+    assert (said or "") in answer.get("message", "")
+
+
+def test_devices_and_core_are_as_configured(program: str) -> None:
+    found = []
+    for given in ({}, {"highspeed": True}, {"device": ["highspeed"]}, {"memory": "8k"}):
+        monitor, _ = Launch.of({"program": [program], **given}).ready(lambda line: None)
+        found.append((len(monitor.machine.devices), len(monitor.machine.core)))
+    (plain, core), *others = found
+    assert others == [(plain + 1, core), (plain + 1, core), (plain, 2 * core)]
+
+
+@pytest.mark.parametrize("request_", sorted(requests._NEEDED))
+def test_what_a_request_needs_is_all_it_needs(request_: str) -> None:
+    values: dict[type, Any] = {int: 1, str: "x", dict: {}, list: []}
+    needed = {name: values[requests._TYPES.get(name, list)] for name in requests._NEEDED[request_]}
+    assert requests.checked(request_, needed) == needed
+    for name in needed:
+        with pytest.raises(WorkError, match=f"{request_}: {name} is missing"):
+            requests.checked(request_, {each: needed[each] for each in needed if each != name})
+
+
+def test_the_scopes_and_what_the_editor_may_do(program: str) -> None:
+    able, scopes, registers, devices, words_ = asked(
+        program, ("initialize", {}), ("scopes", {"frameId": 0}),
+        *(("variables", {"variablesReference": number}) for number in (1, 4, 3)),
+    )  # fmt: skip
+    assert set(able.values()) == {True}
+    assert [each.get("presentationHint") for each in scopes["scopes"]] == ["registers", None, None, None]
+    assert not any(each["expensive"] for each in scopes["scopes"])
+    values = {each["name"]: (each["value"], each.get("memoryReference")) for each in registers["variables"]}
+    assert values["PC"] == ("0200", "0x0100")
+    assert values["AC"] == ("0000", None)
+    assert all(each["variablesReference"] >= 100 for each in devices["variables"])
+    assert [(each["name"], each["value"]) for each in words_["variables"]] == [
+        ("LAST", "5700"), ("N", "7775"), ("SUB", "0000"),
+    ]  # fmt: skip
+
+
+def test_all_fields_of_a_device_are_shown_and_those_that_can_be_set_are(program: str) -> None:
+    (devices,) = asked(program, ("variables", {"variablesReference": 4}))
+    for device in devices["variables"]:
+        at = device["variablesReference"]
+        (fields,) = asked(program, ("variables", {"variablesReference": at}))
+        for field in fields["variables"]:
+            if field["variablesReference"] or not field["value"].isdecimal():
+                continue
+            fixed = "presentationHint" in field
+            given = {"variablesReference": at, "name": field["name"], "value": "1"}
+            set_, again, bad = asked(
+                program, ("setVariable", given), ("variables", {"variablesReference": at}),
+                ("setVariable", given | {"value": "-1"}),
+            )  # fmt: skip
+            assert isinstance(bad, str)
+            if not fixed:
+                now = {each["name"]: each["value"] for each in again["variables"]}
+                assert int(set_["value"]) == int(now[field["name"]]) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("2 + 3 == 5 && 2 < 3", 1), ("0 - 1", 0o7777), ("7777 + 2", 1), ("17 & 12 | 1", 0o13), ("1 || 0", 1),
+        ("0 || 0", 0), ("2 && 4", 1), ("2 && 0", 0), ("!2", 0), ("!0", 1), ("3 != 3", 0), ("3 <= 3", 1),
+        ("3 >= 4", 0), ("3 > 3", 0), ("3 < 3", 0), (" ( 7 ) ", 7), ("sub", 0), ("N", 0o7775),
+        ("core[N]", 0o7775),
+        ("core[SUB+3]", 0o7775), ("core[7777 + SUB + 4]", 0o7775), ("core[core[300]]", 0), ("PC", 0o200),
+        ("ac", 0), ("HALF", 0),
+    ],
+)  # fmt: skip
+def test_an_expression_has_12_bits_and_a_comparison_one(text: str, value: int, program: str) -> None:
+    monitor, _ = Launch.of({"program": [program]}).ready(lambda line: None)
+    assert expressions.read(text, monitor)() == value
+    assert expressions.message(f"is {{{text}}}, {{N}}.", monitor)() == f"is {value:04o}, 7775."
+
+
+HEAD = b"Content-Length: 2\r\n\r\n"
+
+
+@pytest.mark.parametrize(
+    ("sent", "found"),
+    [
+        (b"", None),
+        (HEAD + b"{}", {}),
+        (b"Content-Length: 2\n\n{}", {}),
+        (b"content-length : 2 \r\nContent-Type: x\r\n\r\n{}", {}),
+        (b"Content-Type: x\r\n\r\n{}", "has no Content-Length"),
+        (b"Content-Length: x\r\n\r\n{}", "has no Content-Length"),
+        (HEAD + b"{", "ends after 1 of the 2 bytes"),
+        (HEAD + b"[]", "not a JSON object"),
+        (HEAD + b"{x", "is not JSON"),
+        (b"Content-Length: 16777216\r\n\r\n{}", "ends after 2 of the 16,777,216 bytes"),
+        (b"Content-Length: 16777217\r\n\r\n{}", "of at most 16,777,216 bytes"),
+    ],
+)
+def test_a_message_has_a_length(sent: bytes, found: Any) -> None:
+    if isinstance(found, str):
+        with pytest.raises(WorkError, match=found):
+            wire.read(BytesIO(sent))
+    else:
+        assert wire.read(BytesIO(sent)) == found
+
+
+@pytest.mark.parametrize(
+    ("edited", "lines"),
+    [
+        ("ABCDEF", [1, 2, 3, 4, 5, 6]),
+        ("xABCDEF", [2, 3, 4, 5, 6, 7]),
+        ("ABxyEF", [1, 2, 3, 4, 5, 6]),
+        ("ABxEF", [1, 2, 3, 3, 4, 5]),
+        ("ABEF", [1, 2, 3, 3, 3, 4]),
+        ("ABCxDEF", [1, 2, 3, 5, 6, 7]),
+    ],
+)
+@pytest.mark.parametrize("first", [0, 1])
+def test_a_line_is_found_again_after_an_edit(edited: str, lines: list[int], first: int, program: str) -> None:
+    path = Path(program)
+    path.write_text("".join(f"/{letter}\n" for letter in "ABCDEF") + "HLT\n$\n")
+    places, source = Places(shelf.program(program), first), {"path": program}
+    before = places.text(source)
+    assert places.changed() == []
+    path.write_text("".join(f"/{letter}\n" for letter in edited) + "HLT\n$\n")
+    os.utime(path, (1, 1))
+    assert [places.went(source, line + first, before) - first + 1 for line in range(6)] == lines
+    assert (places.changed(), places.changed()) == ([str(path.resolve())], [])
+    path.unlink()
+    assert places.changed() == [str(path.resolve())]
+    assert places.text(source) == []
