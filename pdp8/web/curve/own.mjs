@@ -33,7 +33,7 @@ export function own(/** @type {any} */ record, /** @type {any} */ save, /** @typ
     const off = way.map((stop) => pad.beside(stop));
     const worst = off.reduce((most, { y }) => Math.max(most, Math.abs(y)), 0);
     const content = view.line(way, `class="groove" style="stroke-width:${2 * CUTTER * view.sx}"`) + view.line(pad.places, 'class="intended"') + view.line(way, 'class="way"') + view.circle({ ...at, radius: CUTTER }, 'class="tool"');
-    const to = (/** @type {Place} */ { x }) => (1000 * Math.max(0, way.findIndex((stop) => view.x(stop.x) >= x))) / (way.length - 1);
+    const to = (/** @type {Place} */ { x }) => (1000 * Math.max(0, way.findLastIndex((stop) => view.x(stop.x) <= x))) / (way.length - 1);
     const reach = 1.6 * tolerance + 1;
     const holds = { tolerance: { ...band, y: strip.y + (strip.height / 2) * (1 - tolerance / reach) }, place: { x: view.x(at.x), y: view.y(at.y), to } };
     const said = html`<b>${found.blocks} blocks</b>: reading ${minutes(found.reading)} + cutting ${minutes(found.milling)} = <b>${minutes(found.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve; promised are ${mils(tolerance + 1)}. ${told}`;

@@ -93,6 +93,9 @@ export const cases = {
     const figure = new Figure("held", () => ["", 1, "", { size: { x: 0, y: 0, to: ({ x, dx, dy, start }) => start + dx - dy + x * 0 } }]);
     figure.now();
     const { svg } = figure;
+    const came = [];
+    figure.holds.size.to = ({ x, y, dx, dy, start }) => (came.push([x, y]), start + dx - dy);
+    svg.getBoundingClientRect = () => ({ left: 10, top: 20, width: 500 }); // half as large as it is drawn
     const target = (hold) => ({ closest: () => (hold ? { dataset: { hold } } : null) });
     const move = (x, y = 0) => (svg.hear("pointermove", { clientX: x, clientY: y }), size.value);
     const take = (hold, x) => svg.hear("pointerdown", { target: target(hold), clientX: x, clientY: 0, preventDefault: nothing });
@@ -107,7 +110,7 @@ export const cases = {
     seen.push(move(51));
     svg.hear("pointercancel");
     seen.push(move(99));
-    return [seen, ["10", "10", "13", "14", "14", "15", "15"]];
+    return [[seen, came], [["10", "10", "16", "18", "18", "20", "20"], [[186, -40], [190, -38], [82, -40]]]];
   },
   "a figure far away is not drawn, one near is drawn once for all changes": async () => {
     const { Figure } = await get("curve/drawing");
@@ -224,8 +227,14 @@ export const cases = {
     seen.push(state());
     figure.now();
     const said = figure.draw({ tolerance: 60, place: 500 }, 700)[2].source;
+    const along = [0, 1, 500, 999, 1000].map((place) => {
+      const { to, x, y } = figure.draw({ tolerance: 60, place }, 700)[3].place;
+      return Math.abs(to({ x, y }) - place) < 40 && [to({ x: x - 900 }), to({ x: x + 900 })].join();
+    });
+    const [wide, narrow] = [60, 20].map((tolerance) => figure.draw({ tolerance, place: 0 }, 700)[3].tolerance);
+    const band = [wide.y < narrow.y, wide.x === narrow.x, wide.to({ dy: 0, start: 20 }), wide.to({ dy: -30, start: 20 })];
     globalThis.setTimeout = real;
-    return [[seen, said.includes("goes another way")], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true]];
+    return [[seen, said.includes("goes another way"), along, band], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true, Array(5).fill("0,1000"), [true, true, 20, 30]]];
   },
   "a ring is lit while its input has the focus": async () => {
     const { Figure } = await get("curve/drawing");
