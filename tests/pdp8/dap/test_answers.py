@@ -30,8 +30,10 @@ def program(tmp_path: Path) -> str:
 
 def asked(program: str, *requests: tuple[str, dict[str, Any]]) -> list[Any]:
     """Return the body of each answer, or its message, of a program that is stopped at its entry."""
-    begun = ("launch", {"program": program, "stopOnEntry": True}), ("configurationDone", {})
-    heard = [each for each in held(*begun, *requests) if each["type"] == "response"]
+    launch = ("launch", {"program": program, "stopOnEntry": True})
+    heard = [
+        each for each in held(launch, ("configurationDone", {}), *requests) if each["type"] == "response"
+    ]
     return [each.get("body") if each["success"] else each["message"] for each in heard[2:]]
 
 
