@@ -474,4 +474,53 @@ export const cases = {
     const at = (place) => [place, [place], [place, 2, 5, true]];
     return [seen, [at(0), at(3), at(count - 1), at(0), [null, [], "false", true], [false, 1]]];
   },
+  "reels turn with the tape, and a drive has what is mounted on it until it is taken off": async () => {
+    const { Drives } = await get("bench/drives");
+    const { TC08 } = await import("./pdp8/computer/dectape/tc08.mjs");
+    const { LINE, LINES } = await import("./pdp8/computer/dectape/tu55.mjs");
+    const { blank } = await import("./tapes/dectape.mjs");
+    const made = [];
+    for (const row of (find("reels").children = rows(2))) {
+      const reels = rows(2);
+      for (const reel of reels) reel.setAttribute = (_, text) => (reel.turned = text.replace(/\.\d+\)$/, ")"));
+      for (const reel of reels) reel.querySelector("circle").setAttribute = (_, text) => (reel.radius = Number(text));
+      row.querySelectorAll = () => reels;
+      made.push(reels);
+    }
+    let remembered = 0;
+    const got = [];
+    const bench = await desk({ remember: () => (remembered += 1), download: (name, frames) => got.push(name, frames.length) });
+    bench.like = (machine, more, memory) => Object.assign(machine, { devices: [...machine.devices, ...more], held: memory });
+    const drives = new Drives(bench);
+    find("reels").children = [];
+    const state = () => (drives.show(), [drives.units.map(({ hidden }) => hidden), find("boot-reel").disabled]);
+    const seen = [state(), drives.takes("a.TU56", []), drives.takes("a.tu5", [])];
+    const frames = blank().content();
+    for (const name of ["a", "b", "c"]) drives.mount(name, frames), seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
+    seen.push(bench.machine.held, bench.machine.devices.filter((each) => each instanceof TC08).length);
+    const [drive] = drives.control.drives;
+    const shown = [0, 0.5, 1].map((part) => {
+      drive.position = () => Math.round(part * LINES) * LINE;
+      drives.show();
+      return [...made[0].flatMap(({ turned, radius }) => [turned, radius]), drives.units[0].querySelector(".name").textContent];
+    });
+    drives.lock({ checked: true, value: "0" });
+    drives.show();
+    seen.push(drives.units.map((row) => row.querySelector("input").checked));
+    drives.save({ value: "1" });
+    seen.push(got, remembered);
+    drives.takeOff({ value: "0" });
+    seen.push(state(), remembered);
+    drives.save({ value: "0" });
+    drives.takeOff({ value: "1" });
+    seen.push(state(), got.length);
+    const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
+    const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
+    return [[seen, shown], [
+      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 8192, 1, [true, false],
+        ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2],
+      [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],
+        [`translate(10 10) rotate(${half})`, 6.96, `translate(30 10) rotate(${half})`, 6.96, `${all}block 1341, at rest`],
+        ["translate(10 10) rotate(145800)", 4, "translate(30 10) rotate(64800)", 9, `${all}end zone, at rest`]]]];
+  },
 };
