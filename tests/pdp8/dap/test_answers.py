@@ -226,6 +226,21 @@ def test_the_scopes_and_what_the_editor_may_do(program: str) -> None:
     ]  # fmt: skip
 
 
+def test_a_frame_has_its_place_and_each_row_its_lamps(program: str) -> None:
+    stack, lamps, source = asked(
+        program, ("stackTrace", {"threadId": 1}), ("variables", {"variablesReference": 2}), ("source", {})
+    )
+    own = {"name": "own.pal", "path": str(Path(program).resolve())}
+    place = {"instructionPointerReference": "0x0100", "source": own, "line": 2, "column": 1}
+    assert stack["stackFrames"] == [{"id": 0, "name": "0200  main program", **place}]
+    assert stack["totalFrames"] == 1
+    assert source["content"].count("JMS SUB") == 1
+    *rows, time = lamps["variables"]
+    widths = {each["name"]: len(each["value"].replace(" ", "")) for each in rows}
+    assert widths == dict.fromkeys(widths, 1) | {"MA": 12, "MB": 12, "AC": 12, "IR": 3}
+    assert (time["name"], time["value"]) == ("TIME", "0.00000000 s")
+
+
 def test_all_fields_of_a_device_are_shown_and_those_that_can_be_set_are(program: str) -> None:
     (devices,) = asked(program, ("variables", {"variablesReference": 4}))
     for device in devices["variables"]:
