@@ -9,8 +9,10 @@ from typing import Any
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.hardware.fields import FRAMES, TICK
+from pdp8.computer.hardware.signals import AT_ONCE, NEVER
 from pdp8.computer.machine import Machine
-from pdp8.dap import calls, expressions, requests, wire
+from pdp8.dap import calls, expressions, requests, scopes, wire
 from pdp8.dap.breakpoints import ADDRESSES, Point
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
@@ -330,3 +332,58 @@ def test_a_line_is_found_again_after_an_edit(edited: str, lines: list[int], firs
     path.unlink()
     assert places.changed() == [str(path.resolve())]
     assert places.text(source) == []
+
+
+def test_values_are_shown_by_what_they_are(program: str) -> None:
+    monitor, _ = Launch.of({"program": [program]}).ready(lambda line: None)
+    now = monitor.machine.processor.clock
+    shown = [
+        (scopes._shown(monitor.machine, kind, value))
+        for kind, value in [
+            (FRAMES, b""), (FRAMES, b"1"), (TICK, NEVER), (TICK, AT_ONCE), (TICK, now), (TICK, now + 20_001),
+            (1, True), (9, 9), ("7777", 0o17), ("7", 5),
+        ]
+    ]  # fmt: skip
+    assert shown == [
+        "no frames",
+        "1 frame",
+        "never",
+        "at once",
+        "in 0.00000 ms",
+        "in 1.00005 ms",
+        "1",
+        "9",
+        "0017",
+        "5",
+    ]
+    word, before, listed, none, all_, one = asked(
+        program, ("evaluate", {"expression": "N", "context": "hover"}), ("evaluate", {"expression": "N-1"}),
+        ("evaluate", {"expression": "show", "context": "repl"}),
+        ("gotoTargets", {"source": {"path": program}, "line": 99}),
+        ("completions", {"text": "", "column": 0}), ("completions", {"text": "examine n", "column": 10}),
+    )  # fmt: skip
+    for found, result, memory in (
+        (word, "0303  7775  N,      7775", 6),
+        (before, "0302  5700  LAST,   JMP I SUB", 4),
+    ):
+        assert found == {"variablesReference": 0, "result": result, "memoryReference": f"0x018{memory}"}
+    assert listed == {"variablesReference": 0, "result": "PDP-8/L, 4K of core, ASR-33 Teletype; no EAE"}
+    assert none == {"targets": []}
+    assert {"examine", "AC", "N"} <= {each["label"] for each in all_["targets"]}
+    assert one == {"targets": [{"label": "N"}]}
+
+
+@pytest.mark.parametrize(
+    ("kind", "text", "given"),
+    [
+        (5, "5", 5), (5, "6", None), (5, "0", 0), (5, "-1", None), (5, "x", None), ("7777", "7777", 0o7777),
+        ("7777", "10000", None), ("7", "7", 7), ("7", "10", None), ("7", "8", None), (None, "1", None),
+        (TICK, "1", None), (FRAMES, "1", None),
+    ],
+)  # fmt: skip
+def test_a_field_takes_numbers_up_to_its_greatest(kind: Any, text: str, given: int | None) -> None:
+    if given is None:
+        with pytest.raises(WorkError):
+            scopes._given("field", kind, text)
+    else:
+        assert scopes._given("field", kind, text) == given

@@ -2,6 +2,8 @@
 // Objects of the page by themselves, on a page that has nothing: what each does the second time, at an end, or while it is
 // still at the first. `cases` has what is seen, and what has to be seen, by what is tried.
 
+import { Context } from "./canvas.mjs";
+
 export const nothing = () => undefined;
 function blank() {
   return anything;
@@ -38,7 +40,12 @@ const store = () => {
 const still = { on: false };
 export const drawn = []; // what is written on canvases
 class Sheet extends Element {
-  getContext() { return new Proxy(blank, { get: (_, name) => (name === "fillText" ? (text) => drawn.push(text) : anything[name]), set: () => true }); }
+  constructor(width = 0, height = 0) { super(); Object.assign(this, { width, height }); }
+  getContext() {
+    this.context ??= Object.assign(new Context(), { canvas: this });
+    this.context.fillText = (text, x, y) => (drawn.push(text), Context.prototype.fillText.call(this.context, text, x, y));
+    return this.context;
+  }
 }
 const workers = [];
 class Worker {

@@ -1,6 +1,7 @@
 /* global history, URL */
 // The room by itself (again.mjs): its pictures, sounds, keys and what the visitor types.
 
+import { crossed, drawing } from "./canvas.mjs";
 import { anything, Element, find, get, machine, nothing, page, room, worked } from "./again.mjs";
 
 const known = new Map();
@@ -355,5 +356,39 @@ export const cases = {
     made.enter(150 * 2e7);
     made.pass(0.001);
     return [[made.texts()[1], made.tour.turn, made.playing], ["stands still", 2, false]];
+  },
+  "what does not move crosses no edge": async () => {
+    const things = [["panel", "drawPanel", "PANEL"], ["teletype", "drawTeletype", "TELETYPE"], ["mill", "drawMill", "MILL"]];
+    const seen = [];
+    for (const [module, name, size] of things) {
+      const { [name]: draw, [size]: { w, h } } = await get(`room/${module}`);
+      const { filled, texts } = drawing(draw);
+      const out = filled.filter(([, left, top, right, bottom]) => left < -0.01 || top < -0.01 || right > w + 0.01 || bottom > h + 0.01);
+      seen.push([filled.length > 0, crossed(filled, 0.07), out, texts.filter(([, x, y]) => x <= 0 || y <= 0 || x >= w || y >= h)]);
+    }
+    return [seen, Array(3).fill([true, [], [], []])];
+  },
+  "a lamp is lit in its socket, a rocker that is up is one that is down upside down": async () => {
+    const { drawLamps, drawPanel, Filaments, SWITCHES } = await get("room/panel");
+    const sockets = drawing(drawPanel).filled.filter(([name, left, , right]) => name === "fill" && Math.abs(right - left - 0.3) < 0.001);
+    const off = new Filaments();
+    off.follow([(await machine()).panel.lamps]);
+    const all = (level) => new Map(Array.from(off.lit, ([field, bits]) => [field, bits.map(() => level)]));
+    const pictures = (level, sr, held = null) => drawing((c) => drawLamps(c, all(level), { sr, mem_prot: 1, sing_step: 0 }, held)).filled;
+    const middle = ([, left, top, right, bottom]) => `${((left + right) / 2).toFixed(3)} ${((top + bottom) / 2).toFixed(3)}`;
+    const levels = [0, 0.01, 0.02, 0.5, 1].map((level) => pictures(level, 0).length - 20);
+    const lit = pictures(1, 0).slice(0, -20);
+    const round = lit.every(([, left, top, right, bottom], at) => Math.abs(right - left - (at % 2 ? 0.6 : 1.24)) + Math.abs(bottom - top - (at % 2 ? 0.6 : 1.24)) < 0.001);
+    const own = new Set(sockets.map(middle)), shone = lit.map(middle);
+    const rockers = pictures(0, 0o4001);
+    const inside = rockers.every(([, left, top, right, bottom], at) => left >= SWITCHES[at].x && right <= SWITCHES[at].x + SWITCHES[at].w && top === SWITCHES[at].y && bottom <= top + 1.75);
+    const made = rockers.map(([, , , , , picture]) => picture.context);
+    const kinds = (of) => of.map(([, , , , , picture]) => [...new Set(made)].indexOf(picture.context)).join("");
+    const flipped = [[0, 3], [1, 10]].map(([up, down]) => [crossed(made[up].filled, 0.03 * 160), made[up].filled.length - made[down].filled.length]);
+    const sides = ({ filled }) => filled.map(([, , top, , bottom]) => [Math.round(top), Math.round(bottom)]).sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+    const upside = sides(made[0]).map(([top, bottom]) => [Math.round(1.64 * 160) - bottom, Math.round(1.64 * 160) - top]).sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+    return [
+      [levels, round, shone.filter((place) => !own.has(place)), [...own].filter((place) => !shone.includes(place)), inside, flipped, upside, kinds(rockers), kinds(pictures(0, 0o4001, "start"))],
+      [[0, 0, 100, 100, 100], true, [], ["1.700 2.300"], true, [[[], 0], [[], 0]], sides(made[6]), "01122211122345555555", "01122211122344555555"]];
   },
 };

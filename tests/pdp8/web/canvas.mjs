@@ -4,7 +4,7 @@ const checked = (...numbers) => {
   for (const number of numbers) if (typeof number === "number" && !Number.isFinite(number)) throw new Error("a number that is none");
 };
 
-/** A context on which an inch has `sharp` pixels; `filled` has what it fills, [name, left, top, right, bottom, colour], in pixels. */
+/** A context on which an inch has `sharp` pixels; `filled` has what it fills, [name, left, top, right, bottom, colour or picture], in pixels. */
 export class Context {
   constructor(sharp = 1) {
     Object.assign(this, { at: [sharp, 0, 0, sharp, 0, 0], alpha: 1, saved: [], filled: [], texts: [], lines: 0, path: null, clips: 0, colour: "", lineWidth: 1 });
@@ -51,9 +51,9 @@ export class Context {
     if (w <= 0 || h <= 0) throw new Error(`a rectangle of ${w} by ${h}`);
     return [[x, y], [x + w, y], [x, y + h], [x + w, y + h]].map((place) => this.place(...place));
   }
-  note(name, places) {
+  note(name, places, picture) {
     const [xs, ys] = [0, 1].map((axis) => places.map((place) => place[axis]));
-    this.filled.push([name, Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys), this.colour]);
+    this.filled.push([name, Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys), picture ?? this.colour]);
   }
   beginPath() { this.path = []; }
   add(...places) {
@@ -75,7 +75,7 @@ export class Context {
   drawImage(picture, ...given) {
     if (!picture) throw new Error("no picture");
     const [x, y, w = 1, h = 1] = given.slice(-4);
-    this.note("picture", this.corners(x, y, w, h));
+    this.note("picture", this.corners(x, y, w, h), picture);
   }
   gradient(...given) {
     checked(...given);
@@ -94,9 +94,8 @@ export function drawing(draw, sharp = 1) {
   return context;
 }
 
-/** Pairs of what is filled that cross one another's edges: neither is within the other, nor are they apart. */
-export function crossed(filled) {
-  const near = 0.02;
+/** Pairs of what is filled that cross one another's edges by more than `near`: neither is within the other, nor are they apart. */
+export function crossed(filled, near) {
   const within = ([, l, t, r, b], [, left, top, right, bottom]) => l >= left - near && t >= top - near && r <= right + near && b <= bottom + near;
   const apart = ([, l, t, r, b], [, left, top, right, bottom]) => r <= left + near || l >= right - near || b <= top + near || t >= bottom - near;
   return filled.flatMap((one, at) => filled.slice(at + 1).filter((other) => !(within(one, other) || within(other, one) || apart(one, other))).map((other) => [one, other]));
