@@ -1,6 +1,6 @@
 """Try mutants package by package; print the survivors and the table of scores.
 
-    python -m tests.mutation nc tapes [--sample 300] [--seed 0] [--since REF] [-j JOBS]
+    python -m tests.mutation nc tapes [--sample 300] [--seed 0] [--since REF] [--near] [-j JOBS]
 
 The score is the part of the mutants that a test catches, of those that change something: equal.toml names
 those that do not, each with its reason. Exit status 1 where a package is below its floor.
@@ -64,7 +64,7 @@ def _package(
     chosen = [(file, mutant) for file, mutant in picked if (file, mutant.scope, mutant.text) not in same]
     found = Counter(there=len(there), tried=len(picked), equal=len(picked) - len(chosen))
     with tempfile.TemporaryDirectory(prefix="pdp8-mutation-") as folder:
-        for file, mutant, verdict in tried(package, chosen, arguments.jobs, Path(folder)):
+        for file, mutant, verdict in tried(package, chosen, arguments.jobs, Path(folder), arguments.near):
             found[verdict] += 1
             if verdict != "caught":
                 place = f"{file}:{mutant.lines[-1]} {mutant.scope or '(module)'}"
@@ -96,6 +96,9 @@ if __name__ == "__main__":
     )
     parser.add_argument("--seed", type=int, default=0, help="of the drawing [0]")
     parser.add_argument("--since", metavar="REF", help="only on lines that differ from this commit")
+    parser.add_argument(
+        "--near", action="store_true", help="by the tests alone that run the changed line: no fewer survive"
+    )
     parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
     found = parser.parse_args()
     if unknown := set(found.packages) - set(PACKAGES):

@@ -58,10 +58,12 @@ class Runs(NamedTuple):
     tests: dict[tuple[str, int], list[str]]
 
 
-def tried(package: str, trials: list[Trial], jobs: int, folder: Path) -> Iterator[tuple[str, Mutant, str]]:
+def tried(
+    package: str, trials: list[Trial], jobs: int, folder: Path, near: bool = False
+) -> Iterator[tuple[str, Mutant, str]]:
     """Yield mutants, each with its file and the verdict: caught, survived or not run (by any test seen).
 
-    `folder` is for copies of the sources.
+    `folder` is for copies of the sources; `near` leaves it at the tests of a mutant's lines.
     """
     copies = [_copy(package, folder / str(number)) for number in range(jobs if trials else 0)]
     if not copies:
@@ -72,7 +74,7 @@ def tried(package: str, trials: list[Trial], jobs: int, folder: Path) -> Iterato
         print(f"left out: {' '.join(sorted(runs.failed))}"[:2000], file=sys.stderr)
     if not runs.seconds:
         raise SystemExit(f"no test of {package} runs")
-    for copy, (file, mutant), status in _each(trials, partial(_try, runs), copies):
+    for copy, (file, mutant), status in _each(trials, partial(_try, runs, near), copies):
         _bytecode(copy, file).unlink(missing_ok=True)
         seen = any((file, line) in runs.tests for line in mutant.lines)
         yield file, mutant, "caught" if status else "survived" if seen else "not run"
@@ -244,8 +246,10 @@ class _Meter:
 # A mutant and its tests
 
 
-def _try(runs: Runs, copy: Path, trial: Trial) -> int:
-    """Run the tests of a mutant's lines, or else of its file, and then all others; return 1 if one fails."""
+def _try(runs: Runs, near: bool, copy: Path, trial: Trial) -> int:
+    """Run the tests of a mutant's lines, or else of its file, and then all others unless `near`; return 1 if
+    one fails.
+    """
     file, mutant = trial
     unchecked = (1).to_bytes(4, "little") + bytes(8)  # by a hash of the source, which is not looked at
     code = marshal.dumps(mutant.code(str(copy / file)))
@@ -254,7 +258,7 @@ def _try(runs: Runs, copy: Path, trial: Trial) -> int:
     if not first:
         first = {name for (other, _), names in runs.tests.items() if other == file for name in names}
     others = runs.seconds.keys() - first
-    for wanted, left in (first, others), (others, first):
+    for wanted, left in ((first, others), (others, first))[: 1 if near else 2]:
         files = {name.split("::")[0] for name in wanted}
         chosen = _Chosen(runs.seconds, left | runs.failed)
         _limit(LONGEST)  # to import them

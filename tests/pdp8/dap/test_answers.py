@@ -337,13 +337,11 @@ def test_a_line_is_found_again_after_an_edit(edited: str, lines: list[int], firs
 def test_values_are_shown_by_what_they_are(program: str) -> None:
     monitor, _ = Launch.of({"program": [program]}).ready(lambda line: None)
     now = monitor.machine.processor.clock
-    shown = [
-        (scopes._shown(monitor.machine, kind, value))
-        for kind, value in [
-            (FRAMES, b""), (FRAMES, b"1"), (TICK, NEVER), (TICK, AT_ONCE), (TICK, now), (TICK, now + 20_001),
-            (1, True), (9, 9), ("7777", 0o17), ("7", 5),
-        ]
+    given: list[tuple[int | str, Any]] = [
+        (FRAMES, b""), (FRAMES, b"1"), (TICK, NEVER), (TICK, AT_ONCE), (TICK, now), (TICK, now + 20_001),
+        (1, True), (9, 9), ("7777", 0o17), ("7", 5),
     ]  # fmt: skip
+    shown = [scopes._shown(monitor.machine, kind, value) for kind, value in given]
     assert shown == [
         "no frames",
         "1 frame",

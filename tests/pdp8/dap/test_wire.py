@@ -1,7 +1,8 @@
 """What is no message, and requests that no editor should send: an answer each, and no traceback."""
 
 import json
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from pdp8.dap.launch import Launch
 from pdp8.dap.session import Session
 from pdp8.dap.wire import Wire
 from tests.commands import run
+from tests.pdp8.dap.test_dap import NPM
 
 
 def framed(*requests: Any) -> bytes:
@@ -69,12 +71,28 @@ def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPat
     assert [each["success"] for each in rest] == [True]
 
 
+PROTOCOL = NPM / "node_modules/@vscode/debugprotocol/lib/debugProtocol.d.ts"
+FIELDS = set(re.findall(r"(\w+)\??: ", PROTOCOL.read_text())) if PROTOCOL.exists() else set()
+
+
+def fields(of: object) -> Iterator[str]:
+    """Yield the names of all fields of a message but those that a text of its own names."""
+    if isinstance(of, dict):
+        yield from of
+        of = [each for name, each in of.items() if name != "variables" or isinstance(each, list)]
+    for each in of if isinstance(of, list) else ():
+        yield from fields(each)
+
+
 def held(*asked: tuple[str, dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return what a debugger says to requests that all stand in its input."""
+    """Return what a debugger says, in the protocol's words, to requests that all stand in its input."""
     out = BytesIO()
     sent = framed(*({"type": "request", "command": name, "arguments": given} for name, given in asked))
     Session(BytesIO(sent), out).serve()
-    return spoken(out.getvalue())
+    heard = spoken(out.getvalue())
+    assert not FIELDS or set(fields(heard)) <= FIELDS
+    assert [each["seq"] for each in heard] == [*range(1, len(heard) + 1)]
+    return heard
 
 
 def console(line: str) -> tuple[str, dict[str, Any]]:
