@@ -120,7 +120,7 @@ class Document:
         return found
 
     def places(self, name: str, defined: bool | None = None) -> list[Span]:
-        """Return where `name` is used; only where it is, or is not, `defined`."""
+        """Return where `name` is used; with `defined`, only its definitions (True) or other uses (False)."""
         return [each.span for each in self.occurrences.get(name, ()) if defined in (None, each.defined)]
 
     def written(self, name: str) -> str:

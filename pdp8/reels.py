@@ -38,7 +38,7 @@ class Reels:
         """What was on the discs when they were filled or saved."""
 
     def look_at(self, machine: Machine) -> None:
-        """Turn to the drives and discs of a machine; none where there are none."""
+        """Use the drives and discs of a machine from now on, if it has any."""
         self.drives = drives(machine.devices)
         mounted = {f"dt{unit}": "tu56" for unit, drive in enumerate(self.drives) if drive.image is not None}
         for each in machine.devices:

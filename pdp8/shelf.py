@@ -32,7 +32,7 @@ _BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
 _KEEPS = {"tape": _BY_HAND, "text": (*_BY_HAND, *_TAPES)}
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
-"""Endings that tell another format than SVG."""
+"""Endings of pictures in another format than SVG."""
 
 _IMAGES = {
     **dict.fromkeys((".rk05", ".rl01", ".rf08", ".dsk"), "a disk image"),
@@ -105,7 +105,7 @@ class ShelfError(WorkError):
 
 @contextmanager
 def failing(name: str, more: str = "") -> Iterator[None]:
-    """Raise ShelfError for a file that fails inside, with what the system says of it."""
+    """Raise ShelfError for an OSError inside: the file's `name`, what the system says, and `more`."""
     try:
         yield
     except OSError as error:
@@ -151,8 +151,9 @@ def read_bundled(name: str) -> bytes:
 
 
 def read(name: str, most: int = LARGEST, wide: bool = False) -> bytes:
-    """The content of `name`, `-` or a bundled file; more than `most` bytes, and unless `wide` UTF-16, raise
-    ShelfError.
+    """Return the content of `name`, `-` or a bundled file.
+
+    Raises ShelfError for more than `most` bytes and, unless `wide`, for UTF-16.
     """
     if name == "-":
         content = sys.stdin.buffer.read(most + 1)

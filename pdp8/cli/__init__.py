@@ -43,7 +43,7 @@ def _run(module: str) -> None:
 
 
 def _keep_docstrings() -> None:
-    """Begin again where Python drops docstrings (PYTHONOPTIMIZE=2, -OO): they are what --help shows."""
+    """Restart Python with docstrings if it drops them (PYTHONOPTIMIZE=2, -OO): --help shows them."""
     if sys.flags.optimize > 1:
         os.environ["PYTHONOPTIMIZE"] = "1"
         os.execv(sys.executable, [sys.executable, *(word for word in sys.orig_argv[1:] if word != "-OO")])

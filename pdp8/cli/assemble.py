@@ -94,7 +94,7 @@ def pal(
     """Assemble PAL III source as DEC's assembler of 1967 did, the same tape, the same listing; or PAL8.
 
     SOURCE is a file, a bundled program's name, or - for standard input; several are read one after the
-    other, as tapes parted by PAUSE were. Exit status 1 if there is any error; then no tape is written
+    other, as tapes that end with PAUSE were. Exit status 1 if there is any error; then no tape is written
     without --force, and nothing at all where DEC's assembler would never end or would destroy itself. Notes
     say where a source means something else to PAL III than it seems to.
 

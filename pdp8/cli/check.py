@@ -35,7 +35,7 @@ from tapes.quantities import counted
 
 _SHOWN = ("task", "solution")
 _BYTE_ORDER_MARK = "\ufeff"
-"""Without it Excel takes a CSV file for the system's own code, and names for others."""
+"""Without it Excel reads a CSV file in the system's own encoding, and names come out wrong."""
 
 
 @click.command(cls=Command)

@@ -39,7 +39,7 @@ _DONE = (Reason.HALT, Reason.TAPE_OUT)
 _CLOSED: Final = "closed"
 _FAILED: Final = "failed"
 _Ended = Stop | Literal["closed", "failed"] | None
-"""How a run ended: by itself, as nobody reads what it punches, as a file failed; None, interrupted."""
+"""How a run ended: by itself (a Stop), standard output was closed, a file failed; None: interrupted."""
 
 
 @dataclass(frozen=True)
@@ -264,7 +264,7 @@ def _program(options: Options, explicit: Collection[str | None]) -> "Program | N
 
 
 def _paged(options: Options) -> bool:
-    """Tell whether what is printed is seen elsewhere, so that standard output is no tape."""
+    """Whether a keyboard or a line has the Teletype, so that no tape goes to standard output."""
     return options.keyboard or bool(options.line)
 
 
@@ -307,7 +307,7 @@ def _machine(options: Options, found: "Program | None") -> Machine:
 
 
 def _feed(options: Options, machine: Machine) -> Feed:
-    """Return what puts the tapes into the Teletype's reader; the first is in it."""
+    """Return the feeder of the Teletype's reader, with the first tape in the reader."""
     used = _paged(options) or options.restore is not None or "-" in (options.program, options.fast_reader)
     names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
     feed = Feed(machine.teletype.reader, names, options.quiet)
@@ -369,7 +369,7 @@ def _run(
 def _live(
     options: Options, machine: Machine, found: "Program | None", mounted: "Reels | None", stack: ExitStack
 ) -> Callable[[Callable[[], object]], Stop | None] | None:
-    """Return what runs the machine with somebody at its Teletype, if anybody is."""
+    """Return the function that runs the machine with a user at its Teletype; None without a user."""
     if options.keyboard:
         from pdp8.cli.monitor import sit_down
 
@@ -427,7 +427,7 @@ def _report(
 
 
 def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Values") -> Stop:
-    """Return the stop with its causes, from the run's history, or from a repetition if nobody took part."""
+    """Return the stop with its causes, found in the run's history, or by running it again."""
     words = found.words if found else {}
     if not may_be_wrong(stop, machine, words):
         return stop
@@ -440,7 +440,7 @@ def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Va
 
 
 def _tell_of_channel_8(options: Options, machine: Machine) -> None:
-    """Say how a printed text is read that goes down a pipe as frames with channel 8."""
+    """Say how to make text of what is printed into a pipe, as frames with channel 8."""
     if options.punch is not None or _paged(options) or not stat.S_ISFIFO(os.fstat(1).st_mode):
         return
     frames = machine.teletype.punch.tape
@@ -533,7 +533,7 @@ def _reels(options: Options, machine: Machine) -> "Reels | None":
 
 
 def _save_mounted(options: Options, mounted: "Reels | None", failures: list[ShelfError]) -> None:
-    """Save the reels and the disk that were to be saved, and what else was written on some."""
+    """Save the reels and the disk that options name, and then the others that were written."""
     if mounted is None:
         return
     files = {f"dt{unit}": name for unit, name in _by_drive(options.save_dectape).items()}

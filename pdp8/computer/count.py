@@ -77,7 +77,7 @@ class Count:
         self.operations[_operation(word)] += times
 
     def _ring(self, processor: Processor, instructions: int, ticks: int) -> list[_Executed]:
-        """One turn of a loop since the PC was last here, if its turns fill `instructions` and `ticks`."""
+        """Return one turn of the loop up to now, if whole turns of it make `instructions` and `ticks`."""
         ring = []
         for executed in reversed(self._last):
             ring.append(executed)

@@ -81,7 +81,7 @@ class Machine:
         """What is fitted."""
         self.teletype = Teletype()
         self.highspeed = HighSpeed()
-        """These two belong to the machine where they are among its devices."""
+        """Replaced by those among the devices, if any: `teletype` and `highspeed` are always there."""
         for device in [self.teletype] if devices is None else devices:
             self._connect(device)
         self.processor = Processor(self.bus, memory)

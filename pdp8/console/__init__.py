@@ -2,7 +2,7 @@
 
 session     the operator's time: machine, pace, tapes at hand, the RIM loader toggled in
 opening     the room as the operator finds it
-lamps       the rows of lamps, as bright as they were often on
+lamps       the rows of lamps, each as bright as its share of the time
 switches    the switch register and the keys, for mouse and hand
 strips      a tape under the reader's head or coming out of the punch
 pages       paper, listing, core, and the card: the operator's or a drill's

@@ -1,4 +1,4 @@
-"""The lamps of the panel, each as bright as it was often on while the room looked once.
+"""The lamps of the panel, each as bright as its share of the time between two looks.
 
     MEMORY ADDRESS    ○ ○ ○  ● ○ ○  ○ ○ ○  ○ ○ ○   0200    ● FETCH    ○ WORD COUNT   ○ ION
     MEMORY BUFFER     ● ● ○  ○ ○ ○  ● ○ ○  ● ● ○   6046    ○ DEFER    ○ CURR ADDR    ○ PARITY

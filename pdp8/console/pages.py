@@ -35,11 +35,11 @@ _KEYS = {
 _LINES = 200
 _CARD_WIDTH = 48
 _STEPS = 12
-"""Of a drill that are shown at once."""
+"""Lines of a drill that are shown at once."""
 
 
 def frame(widget: Widget, above: str, below: str = "") -> None:
-    """Write on the edges of the widget's frame: plain text, as a file may be called anything."""
+    """Write on the edges of the widget's frame, as plain text: a file's name may look like markup."""
     if widget.border_title != Content(above).markup:
         widget.border_title = Text(above)
     if widget.border_subtitle != Content(below).markup:

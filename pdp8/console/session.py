@@ -1,6 +1,6 @@
 """The operator's time at the machine: what happens while so many seconds pass in the room.
 
-    room's clock ── speed ──► machine.run ──► lamps, each as bright as it was often on
+    room's clock ── speed ──► machine.run ──► lamps, each as bright as its share of the time
                         └──► hands at the switches: the RIM loader, a key every tenth of a second
 
 The machine stays what it is: everything here is done with its panel's keys, its reader, its punch and its
@@ -67,7 +67,7 @@ class Session:
         self.listing = Listing()
         """That of the program in core."""
         self._explained_at = -1
-        """Where the program waits of whose waiting everything is said."""
+        """Where the program waits, if that was explained already, else -1."""
         self._clock = clock
         self._slice = _SHORTEST
         self._hands: Iterator[None] | None = None

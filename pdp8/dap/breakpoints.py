@@ -2,8 +2,8 @@
 
 A breakpoint at a line without a word goes to the next that has one. One at an address is a function
 breakpoint to the editor: its name is an octal address or a symbol. One with a condition, a count of hits or a
-log message is looked at when the run comes to it; a log message is said, and the run goes on. On the way back
-it is where the run stopped, or would have: a hit that was counted keeps its number.
+log message is looked at when the run comes to it; a log message is said, and the run continues. A step back
+ends where the run stopped or would have stopped: a hit that was counted keeps its number.
 
 What the editor asked for is kept. When a program is loaded again, its breakpoints are placed again and keep
 their numbers.

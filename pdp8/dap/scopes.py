@@ -4,7 +4,7 @@ Registers and switches are set as by the monitor. A symbol of the program shows 
 device, and each of its parts, shows the fields of its saved state (see computer/hardware/fields.py).
 
 A line at the debug console is a register, a symbol or an address, whose word is shown, or an expression;
-anything else is a command of the monitor. At a hover or in the list of watched expressions it is none.
+anything else is a command of the monitor, which a hover or a watched expression cannot be.
 """
 
 from collections.abc import Callable, Iterator

@@ -75,9 +75,8 @@ class Session:
         self._breakpoints = Breakpoints()
         self._first_line = 1
         self._runs = self._finished = self._ended = self._works = self._paused = self._reports = False
-        """Whether the editor was told that the machine runs, and that the program has ended; whether it has
-        left; whether a request is being carried out that may take long, and whether the editor would pause
-        that; whether it shows progress.
+        """In this order: the editor takes the machine as running; it takes the program as ended; it has left;
+        a request is being carried out; the editor asked to pause that one; it shows progress.
         """
         self._waits = ""
         """What was said of the program's waiting in this run."""

@@ -56,7 +56,7 @@ class Wire:
         return not self._come.empty()
 
     def receive(self) -> Body | None:
-        """The next message, None at the end. Raises MessageError for one bad message, WorkError for all."""
+        """The next message, None at the end. Raises MessageError, or WorkError for a bad stream."""
         message = self._come.get()
         if isinstance(message, WorkError):
             raise message

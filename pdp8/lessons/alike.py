@@ -1,9 +1,9 @@
 """Which answers of a class look alike: a hint to the teacher, and no proof.
 
-Comments, blanks and the names of tags do not count: tags are numbered as they come. Two answers are as alike
-as the runs of five items they share, of all the runs that either has. In a class of six or more, a run
-that more than a third of them has says nothing: the exercise asks for it. Long answers that are the same
-throughout are named all the same, each with the first of them.
+Comments, blanks and the names of tags do not count: tags are numbered as they come. How alike two answers are
+is the share of runs of five items that both have, of all that either has. In a class of six or more, a run
+that more than a third of the answers have is left out: the exercise asks for it. Long answers that are
+identical are named in any class, each with the first of them.
 
 Source: Schleimer, Wilkerson, Aiken: Winnowing, SIGMOD 2003, for the runs and for leaving out the common ones.
 """
@@ -21,7 +21,7 @@ _RUN = 5
 _LEAST = 12
 """Runs of its own an answer must have: short programs are all alike."""
 _LONG = 25
-"""Runs of an answer, about a dozen lines, that two do not have the same by chance."""
+"""Runs of an answer, about a dozen lines: two so long are not identical by chance."""
 _CLASS = 6
 _ALIKE = 0.7
 _OWN = frozenset(each.mnemonic for each in PERMANENT)

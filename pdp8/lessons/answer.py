@@ -9,7 +9,7 @@ from pdp8.computer.use.trace import Listing
 from tapes.text import lines_of
 
 _SHOWN = 5
-"""Errors of a source that are told."""
+"""Errors of a source that are shown."""
 
 
 @dataclass(frozen=True)

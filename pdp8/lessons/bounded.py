@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 SECONDS = 10
-"""Of processor time an answer."""
+"""Of processor time, for each answer."""
 MEMORY = 512 << 20
-"""Bytes more than the command has."""
+"""Bytes that marking an answer may take beyond what the command has."""
 LARGEST = 1 << 20
 """Bytes of an answer's marks."""
 

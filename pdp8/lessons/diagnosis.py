@@ -1,6 +1,6 @@
 """What happened where an answer is wrong: a word for it, what is said of it, and a hint where none is given.
 
-A case's own hints are by these words too.
+The keys of a case's own hints are these words too.
 """
 
 from collections.abc import Sequence
@@ -35,7 +35,7 @@ NEGATIVE = "the negative"
 RESULT = "wrong"
 
 ENDS = (NO_WORD, LEFT, JUMPED, AGAIN, NOT_STOPPED, JUMP, INPUT, OUTPUT, ELSEWHERE)
-"""What can be wrong with the end, all else with the result."""
+"""What can be wrong with a run's end; all else is wrong with its result."""
 RESULTS = (
     ITSELF, NOTHING, SHORT, LONG, FIRST, ALL, SHIFTED, PARITY, ONE_OFF, NEGATIVE, RESULT,
 )  # fmt: skip

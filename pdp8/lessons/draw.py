@@ -34,7 +34,7 @@ _Function = Callable[[Random, dict[str, Any]], dict[str, Any]]
 _EDGES = (0, 1, 0o3777, 0o4000, 0o4001, 0o7777)
 """Words at which programs go wrong: a quarter of those drawn are among them, or are bounds of their range."""
 _MOST = 200
-"""Frames or words drawn at once are at most 4096, trials so many."""
+"""The most trials of a case. At most 4096 frames or words are drawn at once."""
 
 
 def case(given: object, where: str, solution: str, seed: int, folder: str) -> Case:

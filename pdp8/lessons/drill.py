@@ -126,7 +126,7 @@ class Coach:
         self.at = 0
         """The step that is to be done."""
         self.wrong = 0
-        """Keys that were not the card's."""
+        """How many keys were not the card's next."""
         self.seconds = 0.0
         """How long it has taken, since the first key."""
         self.said = "Follow the card. The clock begins with your first key."

@@ -1,4 +1,4 @@
-"""What is the matter with the results of an answer, where all its trials that end as they should show it.
+"""What is wrong with the results of an answer, if all its trials that end as expected show it.
 
 words        SUM is A + A in each trial; SUM is as it was before the start; AC is 1 more than is wanted
 characters   the same comes again and again; 020 comes for 040, and all else is right; the last 2 are missing
@@ -11,7 +11,7 @@ _TRIALS = 3
 """Trials that must show it."""
 _NONE = -1
 _FEW = 0o20
-"""Numbers of which it may be wrong."""
+"""A word that is wrong by at most so much is called so."""
 
 
 class Word(NamedTuple):
@@ -51,7 +51,7 @@ def of_words(place: str, seen: Sequence[Word]) -> str:
 
 
 def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) -> dict[str, int]:
-    """Return the formulas that a word fits, `by_wanted` those of the expected word; numbers fit the first."""
+    """Return {formula: value} for a word, `by_wanted` for the expected one too; `first` has the numbers."""
     found: dict[str, int] = {}
     wanted, values = seen.expected, seen.inputs
     for name in names:
@@ -84,7 +84,7 @@ def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) ->
 
 
 def _near(found: dict[str, int], if_more: str, if_less: str, number: int, to: int) -> None:
-    """Add the formula of a few more or less than `to`, if `number` is one of these."""
+    """Add the formula for `number` more than `to`, or less, if it is small."""
     more, less = number & 0o7777, -number & 0o7777
     if more <= _FEW:
         found[if_more.replace("#", f"{more:o}")] = to + more

@@ -15,16 +15,16 @@ class Trial:
     """One run of a program: its inputs and expected results; None is not checked."""
 
     start: tuple[str, ...] = ("0200",)
-    """Tags or addresses: the first that the answer has."""
+    """Tags or addresses; the run starts at the first of them that the answer has."""
     starts: int = 1
     again: tuple["Trial", ...] = ()
-    """What it is started with after that, each with its own inputs and results; core stays."""
+    """Further STARTs, each with its own inputs and results; core stays."""
     sr: int = 0
     deposit: Mapping[str, int | str] = field(default_factory=dict)
     reader: bytes = b""
     keys: bytes = b""
     seconds: float = 10
-    """Of machine time, the most it may take."""
+    """The most machine time that it may take."""
     stop: str = "halt"
     tape: bytes | None = None
     nul: str = "counted"

@@ -9,7 +9,7 @@ from pdp8.lessons.diagnosis import HINTS, ITSELF, NOT_STOPPED, NOTHING
 from pdp8.lessons.exercise import Case
 
 _WEAK = (diagnosis.FIRST, diagnosis.SHIFTED, diagnosis.PARITY, diagnosis.LONG)
-"""What happened in one trial says less of these than what all trials show."""
+"""Of these, what all trials show says more than what happened in one."""
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 """A link that opens the workbench where an answer goes wrong: the program in the editor, the machine as it is
-at START, and how many instructions it runs on, with all of them to be gone back.
+at START, and how many instructions it runs from there; all of them can be undone.
 """
 
 import base64

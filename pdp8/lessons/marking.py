@@ -19,7 +19,7 @@ from tapes import rim
 _PRINTS = (0o6044, 0o6046)
 """TPC and TLS."""
 _TOGETHER = 6
-"""Trials of a case that are looked at together with those of others."""
+"""Trials of each case in which a common pattern is looked for."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class Result:
 
 
 def mark(exercise: Exercise, answer: Answer, dialect: str = FOUND) -> Result:
-    """Return the marks of `answer`; no answer makes it raise an error."""
+    """Return the marks of `answer`; whatever it is, no error is raised."""
     if exercise.cases:
         answer = assembled(answer, dialect)
     fault = answer.fault or _broken(exercise, answer)

@@ -23,7 +23,7 @@ PROGRAM: Final = (
 """The words of a program that types and punches what is typed, and what each says."""
 
 _SHOWN: Final = 60
-"""Of the frames that are looked at for a name; it has at most 24 characters."""
+"""The last frames, in which a name of at most 24 characters is looked for."""
 
 
 class Step(NamedTuple):

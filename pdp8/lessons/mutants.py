@@ -1,6 +1,6 @@
 """A solution with one slip in it, and the same solution written otherwise: what a class might hand in.
 
-An exercise takes no slip that changes what the program does, and every way of writing it (proof.py).
+An exercise rejects each slip that changes what the program does, and accepts every other way (proof.py).
 """
 
 import re
@@ -19,7 +19,7 @@ _SLIPS = {
 _WORD = re.compile(r"[A-Z]\w*|(?<=[-\t,;+ ])[0-7]+(?!\w)", re.ASCII)
 _LINE = re.compile(r"(?P<tag>\w+,)?\s*(?P<code>[^/]*?)\s*(?P<comment>/.*)?")
 ELSEWHERE = 0o400
-"""From here on a program may lie elsewhere."""
+"""A solution that uses no address from here on may also be at another place."""
 _TWICE = re.compile("TAD|ISZ|JMS|R[AT][LR]|C[IM]A|IAC|KRB|TLS")
 _BEHIND = re.compile(r"\.[-+]\d")
 

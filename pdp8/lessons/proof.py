@@ -1,5 +1,5 @@
-"""That an exercise is a contract: its solution has all points, however it is written; no mistake has; and
-whatever is looked at, the task says.
+"""Tests of an exercise: its solution gets all points, however it is written; mistakes do not; and the task
+mentions whatever is checked.
 """
 
 import re

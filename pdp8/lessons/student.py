@@ -1,8 +1,8 @@
 """The student's form of an exercise, in JSON: no solution, mistakes, hidden cases, nor answers of a sheet,
 which it does not mark.
 
-Random cases stand in it as cases, drawn from a seed of their own and with what is expected: the checker needs
-no solution to mark them, and the teacher's are others. The command reads it like TOML, and so do pages.
+Random cases are written out with their expected results, drawn from another seed than the teacher's: so they
+are marked without the solution. The command reads it like TOML, and so do pages.
 """
 
 import json
@@ -47,7 +47,7 @@ def tables(
 
 
 _CALLED = {"hints": "hint", "number": "answer"}
-"""What a file calls them."""
+"""Fields that have another name in a file."""
 
 
 def _table(of: Any) -> dict[str, Any]:

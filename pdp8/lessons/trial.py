@@ -18,9 +18,9 @@ from pdp8.lessons.answer import Answer, tag
 from pdp8.lessons.exercise import Trial
 
 _DRAWN = 127
-"""Words drawn, of which core is filled again and again: a page has one word more."""
+"""Words drawn; copies of them fill core. A page has one word more, so no two pages are alike."""
 _TURNS = 500
-"""Instructions in which a loop that did not stop is looked at."""
+"""Instructions that show where a loop that did not stop begins and ends."""
 _LOOKED_AT = 100_000
 """Instructions in which a changed word is looked for among those that are executed."""
 _CALLS = 1000

@@ -22,7 +22,7 @@ _SHORT = {
 }  # fmt: skip
 """Names that are the beginning of several and mean one, and SIMH's names for ours."""
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
-"""What is printed before one of these is not expected any more."""
+"""After one of these, `expect` ignores what was printed before."""
 _IF = re.compile(r"(not\s+)?exist\s+(\"[^\"]*\"|\S+)\s+(.*)", re.IGNORECASE)
 _DEEPEST = 10
 """Scripts within scripts."""

@@ -67,8 +67,8 @@ class Monitor:
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
         self.expected = self.matched = 0
-        """How many frames of the page `expect` passes over: those before the last command that let the
-        machine run; and those as far as what it found last.
+        """How many frames of the page `expect` passes over: those printed before the last command that ran a
+        machine; and those up to the end of its last match.
         """
         self.shown = 0
         """How many frames of it `page` has shown."""

@@ -14,7 +14,7 @@ from pdp8.monitor.prompt import Monitor
 from tapes.quantities import counted
 
 RACK: dict[str, type[Peripheral]] = {"dt": TC08, "df": DF32, "lpt": LP08}
-"""What is fitted as it is attached, by SIMH's names."""
+"""Devices that attaching a file fits, by SIMH's names."""
 _NEVER = {
     "rk": "an RK8E disk",
     "rl": "an RL8A disk",
@@ -30,7 +30,7 @@ _NEVER = {
 }
 """Devices of SIMH's PDP-8/E, by their names there."""
 _ELSE: dict[str, type[KW8 | PT08]] = {"clk": KW8, "ttix": PT08, "ttox": PT08}
-"""What a PDP-8/L could have for them."""
+"""What a PDP-8/L could have in their place."""
 _NO_DISCS = "{}: no DF32 is fitted; attach df FILE fits it"
 
 

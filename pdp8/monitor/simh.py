@@ -6,7 +6,7 @@
     echo TEXT                       of scripts, as do, goto and if are (see commands)
     set cpu 4k, set throttle ...    what the machine is anyway, or its pace at a terminal
 
-A device that this machine has not is named; to disable it does nothing.
+A device that this machine lacks is an error; disabling it does nothing.
 """
 
 import re

@@ -40,7 +40,7 @@ class Afternoon(Day):
 
 
 def replay(part: str, tell: Callable[[Act], object] = lambda act: None) -> Afternoon:
-    """Do the whole afternoon of `part`; `tell` hears each act. Raises WorkError as 1971 would have."""
+    """Do the whole afternoon of `part`; `tell` gets each act. Raises WorkError if a step fails."""
     afternoon = Afternoon(part, tell)
     for _ in afternoon.through():
         pass

@@ -68,7 +68,7 @@ def feeds() -> Iterator[list[str]]:
 
 
 def ranges() -> Iterator[list[str]]:
-    """Yield the blocks of each range in quarter inches, up to 10 in along Y, that has three crossings."""
+    """Yield the polynomial's blocks for each range of x that has three crossings and fits 10 in along Y."""
     program, said = PARTS["polynomial"].program(), TABLE_10_1["polynomial"].step.blocks
     for first, last in product((-0.25, -0.5, -0.75, -1.0), (6.25, 6.5, 6.75)):
         blocks = program(from_=first, to=last, origin_y=5.0).count("\n")

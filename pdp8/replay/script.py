@@ -116,7 +116,7 @@ class Script:
         self._advance(tick)
 
     def next(self, unit: Unit) -> None:
-        """Go to the next instant by `unit`."""
+        """Go to the next instant, a `unit` later."""
         in_machine = unit in (Unit.INSTRUCTION, Unit.CYCLE) and self.machine.processor.run
         if in_machine:
             self._next_cycle(unit == Unit.INSTRUCTION)
@@ -125,7 +125,7 @@ class Script:
             return
 
     def previous(self, unit: Unit) -> None:
-        """Go to the instant before by `unit`."""
+        """Go to the previous instant, a `unit` earlier."""
         processor = self.machine.processor
         fresh = processor.clock <= self._acted  # no cycle since the last action
         if unit in (Unit.INSTRUCTION, Unit.CYCLE) and processor.run and not fresh:

@@ -1,4 +1,4 @@
-"""What our numbers are made from, and what may be said of a number for it.
+"""What our numbers are computed from, and the state of a number that follows from it.
 
 A number that is made from its own target proves nothing. So each measure names its inputs, each input has its
 kind in inputs.txt, and `state` follows from them:

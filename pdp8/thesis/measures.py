@@ -47,7 +47,7 @@ class Made(NamedTuple):
 
 
 _Groups = Mapping[str, Mapping[str, _Value]]
-"""Measures by the inputs that they are made from, whose names are apart by commas."""
+"""Measures by the inputs that they are made from, whose names are separated by commas."""
 
 
 def measure(name: str) -> Measure:

@@ -14,7 +14,7 @@ The state of a number follows from what its measure is made from, and from wheth
     from the text           the software takes it from the thesis
     computed                what runs here computes it from parameters, to its last place or 5 %
     fitted or conjectured   an input was fitted to the thesis or chosen, whether ours agrees or not
-    differs                 comes out so, and is another: see errata and implied
+    differs                 ours is another number: see errata and implied
     not made here           history, another's measurement, or a specification that is not emulated
 
 Not among them: numbers of figures, tables, chapters, references and models; the codes of Tables 2.3 and 2.4,

@@ -18,7 +18,7 @@ from pdp8.web import bundle
 
 
 def page(workbench: str = "pdp8.html") -> str:
-    """Return the whole page; an own curve's tape opens in the page `workbench`, an address beside it."""
+    """Return the whole page; the tape of a curve that is drawn opens in the page at address `workbench`."""
     return bundle.page("A curve in ten minutes", "curve.html", ("curve.css",), "curve", record(workbench))
 
 

@@ -1,4 +1,4 @@
-"""What takes long to make, kept as JSON in the user's cache for as long as what it is made of is the same."""
+"""Results that take long to make, kept as JSON in the user's cache while their sources are the same."""
 
 import hashlib
 import json

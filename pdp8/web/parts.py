@@ -17,7 +17,7 @@ _OURS = "arithmetic"
 """The arithmetic of 1971's machines stays with the command: a page computes exactly."""
 
 DRAWN = Part("drawn", "A curve drawn by hand.", ())
-"""Of the pages alone: the command has nothing to draw with."""
+"""Only pages have it: the command has nothing to draw with."""
 
 
 def declared() -> list[dict[str, Any]]:

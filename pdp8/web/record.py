@@ -115,8 +115,8 @@ def _steps(path: str) -> str:
 
 
 def _machines(done: Afternoon, tapes: Mapping[str, bytes]) -> list[tuple[int, dict[str, Any]]]:
-    """Return the machine's values amid and after the translation, with their ticks; pieces of `tapes` by
-    name, from, to.
+    """Return the machine's values amid and after the translation, each with its tick; a piece of a tape
+    is written as the tape's name, the first frame and the end.
     """
     act = next(act for act in done.acts if act.kind == Kind.TRANSLATE)
     script = Script(done.course)

@@ -1,9 +1,8 @@
 """A terminal as the Teletype: what is typed is its keyboard (see computer/use/keys), what it prints the page.
 
 A Model 33 prints nothing by itself. Ctrl-], or Ctrl-E, is STOP and leaves to the monitor, whose `cont` comes
-back. A key
-that a Model 33 lacks (an arrow, F1) types nothing. However the program ends, the terminal (prompt_toolkit's
-on every system) is put back as it was.
+back. A key that a Model 33 lacks (an arrow, F1) types nothing. However the program ends, the terminal
+(prompt_toolkit's on every system) is put back as it was.
 """
 
 import sys
@@ -40,7 +39,7 @@ class Terminal:
         realtime: bool = False,
         next_tape: Callable[[], object] = lambda: None,
     ) -> tuple[Stop, bool]:
-        """Run until a stop or Ctrl-]; return how it ended and whether so. `next_tape` feeds the reader."""
+        """Run until a stop or Ctrl-]; return the stop, and whether it was Ctrl-]. `next_tape` adds tapes."""
         keys = create_input()
 
         def take(seconds: float) -> bytes | None:

@@ -24,7 +24,7 @@ _FREE, _REALTIME, _TRACED = (0.05, 60.0), (0.05, 0.05), (1.0, 1.0)
 _LOOK = 0.05
 """Seconds between two looks at what is typed, while the program waits for it."""
 _FIRST_FRAME = 0.0775
-"""Seconds after START: the reader's first frame has been in for .2 ms, a program that waits has taken it."""
+"""Seconds after START: the first frame came .2 ms before, and a program that waits has read it."""
 _SILENT = 5.0
 """Seconds of ours without a frame, after which a run at a terminal says where it is."""
 
@@ -60,7 +60,7 @@ def live(
     take: Callable[[float], bytes | None],
     realtime: bool = True,
 ) -> Stop | None:
-    """Run with a Teletype's user; return how it ended, None if `take`, which waits for keys, ends it."""
+    """Run with a user at the Teletype; `take` returns the keys, or None, with which the run ends."""
     began = time.monotonic() - machine.elapsed
     for stop in machine.slices(max_time, *_REALTIME, through_waits=True):
         pass_on()

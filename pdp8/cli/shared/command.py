@@ -25,7 +25,7 @@ _IMPORTING = "<frozen importlib._bootstrap>"
 _HELP = ["-h", "--help"]
 _NO_CLOBBER = "pdp8.cli.shared.command.no_clobber"
 QUIET = "pdp8.cli.shared.command.quiet"
-"""Where a command's context keeps that it says nothing of what it wrote."""
+"""The key of a command's context that is set if it does not name the files it writes."""
 
 _NoArguments = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.2 and later; 8.1 prints the help
 

@@ -1,4 +1,4 @@
-"""How to get a library that an extra of pdp8 brings: as this pdp8 was got."""
+"""The command that installs the libraries of an extra, by the tool that installed this pdp8."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from tapes.errors import WorkError
 
 
 def need(module: str, extra: str, what: str) -> None:
-    """Raise WorkError where `module` is not there, with `what` needs it and how to get it."""
+    """Raise WorkError if `module` is not installed, with `what` and the command that installs it."""
     if find_spec(module) is None:
         raise WorkError(f"{what}: {hint(extra)}")
 

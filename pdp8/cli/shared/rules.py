@@ -1,11 +1,11 @@
-"""An option that was given acts, or is refused: what it needs and what it excludes stand in its declaration.
+"""An option that was given has an effect or is refused: its declaration says what it needs and excludes.
 
     flag("--cycles", "...", needs="--trace")              means nothing without --trace
     option("--fill", "...", int, needs="--to=ascii")      means nothing unless --to is ascii
     flag("--boot", "...", excludes="--restore")           does not go with --restore
     flag("--prove", "...", only="EXERCISE --cpu")         goes with these alone; only="", with nothing
 
-A blank parts names: one of those that an option `needs` is enough. An argument's name is in capitals; `=`
+Blanks separate names; one of those that an option `needs` is enough. An argument's name is in capitals; `=`
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
 file, with status 2; a value that differs with the tape that is read is refused by the command itself.
 
@@ -48,7 +48,7 @@ class Option(click.Option):
 def option(names: str, help: str, type: Any = None, **settings: Any) -> Callable[[_Function], _Function]:
     """Return the decorator that adds an option, whose help shows its default.
 
-    `names` are parted by blanks; `settings` are those of click, and of `Option`.
+    `names` are separated by blanks; `settings` are those of click, and of `Option`.
     """
     settings = {
         "show_default": settings.get("default") not in (None, "") and "[default:" not in help
@@ -62,7 +62,7 @@ def flag(names: str, help: str, **settings: Any) -> Callable[[_Function], _Funct
 
 
 def of(add: Callable[[_Function], _Function]) -> Any:
-    """Return the field of a dataclass in which `declared` finds what adds its option or argument."""
+    """Return a field of a dataclass that `declared` makes an option or argument by the decorator `add`."""
     return dataclasses.field(metadata={_ADD: add})
 
 

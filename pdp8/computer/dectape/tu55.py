@@ -110,7 +110,7 @@ class Transport:
         return self.image.words[WORDS * block + word] if word < WORDS else 0o77 ^ self.sum(block)
 
     def write(self, block: int, word: int, value: int) -> None:
-        """Change what `read` returns."""
+        """Write a word of a block, or one of its checksums."""
         if value == self.read(block, word):
             return
         if block not in self.blocks:
@@ -181,7 +181,7 @@ class Transport:
         self.place = min(max(place, 0), LINES * LINE)
 
     def _settle(self, now: int) -> None:
-        """Let a tape be at rest, or move the other way, whose time to stop is over."""
+        """Put the tape to rest, or let it turn, if its time to stop is over."""
         if self.phase == STOPPING and now >= self.since:
             if self.turns:
                 self._set(MOVING, self.place, self.since, 1 - self.reverse)
@@ -197,7 +197,7 @@ def _gained(ticks: int) -> int:
 
 
 def _left(ticks: int) -> int:
-    """Return how far a tape still moves that will be at rest in so many ticks."""
+    """Return how far a tape moves until it is at rest, so many ticks from now."""
     return ticks * ticks * 3 // 8_000_000
 
 

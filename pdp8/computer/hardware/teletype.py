@@ -191,7 +191,7 @@ class Receiver(Device):
         self.origin = 0
         """The tick from which the pulses of the clock are counted."""
         self.pulses = 0
-        """The pulse that set ACTIVE; while that is clear, the first that may find a start unit."""
+        """The pulse that set ACTIVE; while ACTIVE is clear, the first pulse that may find a start unit."""
         self.edge = NEVER
         """The tick at which the next character begins on the line."""
         self.step = NEVER

@@ -33,7 +33,7 @@ _APART = 5 * TICKS_PER_SECOND
 _MOST = 128
 """Snapshots."""
 _SHARE = 4
-"""Of the memory, what the marks between two snapshots take at most: then the oldest can be forgotten."""
+"""The largest share of the memory for the marks between two snapshots, so that old ones can be dropped."""
 _MARK = 200
 """About what a mark takes, in bytes."""
 
@@ -43,7 +43,7 @@ class HistoryError(WorkError):
 
 
 class _Mark(NamedTuple):
-    """What was set where runs began or ended: all values or the changed; a `jump` is after cycles."""
+    """Values set when a run began or ended, all or only the changed; a `jump` follows single cycles."""
 
     clock: int
     instructions: int
@@ -111,7 +111,7 @@ class History:
         return reason
 
     def ended(self, reason: str, in_cycles: bool) -> None:
-        """Note where a run has ended; what only an end by itself leaves is noted as well."""
+        """Record the moment at which a run ended, and values that running again does not give."""
         self._ended = self._values()
         others, moment = changed(self._began, self._ended), self._moment()
         if in_cycles or moment == self._stands:
@@ -256,7 +256,7 @@ class History:
                 self._run_to(mark.clock)
             self.machine.put(mark.values)
         self._next = count
-        """The first mark that was not come to."""
+        """The first mark that is not reached yet."""
 
     def _run_to(self, clock: int) -> None:
         while (ticks := clock - self.machine.processor.clock) > 0:

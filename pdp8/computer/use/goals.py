@@ -1,6 +1,6 @@
-"""What a run goes on until, and steps forward by it; past/rewind.py has the steps back.
+"""The goals at which a run ends, and steps forward by them; past/rewind.py has the steps back.
 
-address, word                     an address is come to, a word becomes another one
+address, word                     an address is reached, a word changes
 flag, frame, block, character     a flag of the Teletype rises, a frame or an end of block is punched,
                                   a character is read, printed or typed
 """

@@ -78,7 +78,7 @@ COMPILED = frozenset(
     }.items()
     for name in names.split()
 )
-"""What C is made of too, in which numbers have 64 bits and no index is checked: so it is here, to 2^53."""
+"""What is compiled to C too, with numbers of 64 bits, here of 53, and with unchecked indexes."""
 
 TRUSTED = {
     "tapes.errors": "visible called",
@@ -99,7 +99,7 @@ TRUSTED = {
     "pdp8.lessons.drill": "Coach",
     "programs.function": "centre_path",
 }
-"""Functions in which a value of unknown type is looked at when it comes: of JSON, of any field, any number.
+"""Functions in which values of unknown type (of JSON, of any field, any number) are checked at run time.
 Tests compare what each of them does in both languages."""
 
 

@@ -81,7 +81,7 @@ class Types:
 
     @contextmanager
     def naming(self, names: Mapping[str, Type]) -> Iterator[None]:
-        """Know these names; forget them afterwards, and what has been said meanwhile."""
+        """Know the types of these names inside; afterwards forget them, and what tests have said inside."""
         scope, held = self.scope, self.held
         self.scope, self.held = scope.new_child(dict(names)), dict(held)
         for name in names:
@@ -548,7 +548,7 @@ class Types:
         return kind.of[0] if kind.name == "call" else ANY
 
     def expect(self, value: ast.expr, wanted: Type) -> None:
-        """Know the functions in a value of which the type is known."""
+        """Record what the functions in a value take, whose type is `wanted`."""
         match value:
             case ast.Lambda():
                 takes = [each for kind in either(wanted) if kind.name == "call" for each in kind.of[1:]]
@@ -605,7 +605,7 @@ class Types:
         return given
 
     def _given(self, value: ast.expr, wanted: Type, given: dict[str, Type]) -> None:
-        """Know a function that is given as an argument."""
+        """Record what a function that is an argument takes, and what its result says of type variables."""
         forms = [kind for kind in either(wanted) if kind.name == "call"]
         takes = self.lambdas[value] = [filled(each, given) for kind in forms for each in kind.of[1:]]
         kind, found = self.infer(value), self.found(value)
@@ -705,7 +705,7 @@ class Types:
 
     @contextmanager
     def holding(self, test: ast.expr, positive: bool) -> Iterator[None]:
-        """Know what a test says, where it is true or where it is not."""
+        """Know inside what a test says if it is true, or if it is false."""
         said = self.said(test, positive)
         if not said:
             yield

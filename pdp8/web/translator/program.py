@@ -261,7 +261,7 @@ class Program:
         """The names of all classes that others are made from."""
 
     def find(self, module: Module, name: str) -> Found | None:
-        """Return where a name leads from a module; None out of the modules that are translated."""
+        """Return where a name leads from a module; None if it leaves the modules that are translated."""
         if name in module.defined:
             return Found(module, module.defined[name])
         if name not in module.imports:

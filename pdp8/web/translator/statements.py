@@ -192,7 +192,7 @@ class Statements(Calls):
         return lines
 
     def _counted_in(self, source: ast.expr) -> tuple[str, str, str] | None:
-        """Return what counts in a loop over a range, what sets it before, and the end; None of others."""
+        """Return the counter of a loop over a range, its assignments before it, its end; None for others."""
         match source:
             case ast.Call(ast.Name("range"), [_] | [_, _], []) if "range" not in self.scope:
                 first, last = source.args if len(source.args) == 2 else (ast.Constant(0), *source.args)
