@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 _STEP = 1e-6
 """Inches to each side of a point at which a slope is measured."""
 _PLACES = 7200
-"""Of a profile that is a function of the angle."""
+"""Places of a profile that is a function of the angle."""
 _FAN = radians(0.25)
 """Between two normals at a corner."""
 _CORNER = radians(3)

@@ -51,7 +51,7 @@ _NUMBER = {
 """A number and its unit."""
 _THOUSANDS = re.compile(r"\d[.,'’ ]\d{3}(?!\d)")
 _JOINED = re.compile(r"\d[.,;]\d")
-"""In a cell that is no number: it may be two."""
+"""A mark in a cell that is no number: the cell may be two numbers."""
 _COMMENT = re.compile(
     r"^\s*(?://|[!%]|#(?!DIV|N/A|NV|REF|BEZUG|VALUE|WERT|NAME|NUM|ZAHL|NULL))+|\s(?:#|//)\s"
 )
@@ -131,7 +131,7 @@ def _text(content: bytes) -> str:
 
 
 def _line(number: int, text: str) -> Iterator[_Row]:
-    """Yield what there is to read in a line: no comment with digits, no line of marks alone."""
+    """Yield the line, unless it is a comment with digits or has marks only."""
     said, *rest = _COMMENT.split(text, maxsplit=1)
     comment = bool(rest) and not said.strip()
     said = rest[0] if comment else said

@@ -31,7 +31,7 @@ _NO_CHARACTERS = bytes([strip.BLANK, strip.LEADER, strip.RUBOUT])
 _MOST_WRONG = 0.1
 _MANY = 20
 _SPLICE = 6
-"""So many faults more, and a tape is rather one piece than two of different parity."""
+"""A tape is taken for two pieces of different parity only if that saves so many faults."""
 _LIKELIEST = ("none", "mark", "even", "odd")
 _SILENT = bytes([0o000, 0o200, 0o177, 0o377])  # blank, leader and RUBOUT, with and without channel 8
 

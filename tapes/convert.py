@@ -19,7 +19,7 @@ TEXT, OCTAL, FRAMES = "text", "octal", "frames"
 FORMS: Final = (TEXT, *(code.name for code in codes.CODES), OCTAL)
 """What a tape is converted from and to."""
 TARGETS: Final = (*FORMS, FRAMES, *spelled.FORMATS)
-"""What it is converted to: its frames, or its words spelled out, too."""
+"""What it is converted to: also its frames, or its words spelled out."""
 
 
 def convert(

@@ -24,7 +24,7 @@ FRAMES_PER_INCH = 10
 
 LEADER_LENGTH = 64  # what PAL III (DEC-08-ASB1) punches before and after a binary tape
 LEAST_LEADER = bytes([LEADER]) * 8
-"""More frames of 200 than letters, words or ends of block have side by side."""
+"""Leader has at least so many frames of 200 side by side; letters, words and ends of block have fewer."""
 
 LABEL_GAP = bytes([BLANK]) * 3
 """Between a label and the leader is more blank tape than between what was torn off and its trailer."""
@@ -45,7 +45,7 @@ PARITIES = {
     "odd": bytes(code | CHANNEL_8 * (1 - code.bit_count() % 2) for code in _CODES),
     "none": _CODES,
 }
-"""By each name, the frame that every frame becomes when its channel 8 is punched so."""
+"""For each name, a table: what each frame becomes when its channel 8 is punched so."""
 
 
 class Strip(NamedTuple):
@@ -152,7 +152,7 @@ def label_before(frames: bytes, start: int) -> tuple[range, ...]:
 
 
 def label_after(frames: bytes, labels: tuple[range, ...]) -> range | None:
-    """Return that of a tape's labels which is at its end, None if none is."""
+    """Return the label at a tape's end, None if there is none."""
     return labels[-1] if labels and labels[-1].stop == len(frames) else None
 
 

@@ -27,7 +27,7 @@ def encode(text: str) -> bytes:
 
 
 def decode(frames: bytes) -> str:
-    """Return the tape as such a text."""
+    """Return the tape spelled out, sixteen frames a line."""
     lines = (
         f"{start:7}: " + " ".join(f"{frame:03o}" for frame in frames[start : start + _A_LINE])
         for start in range(0, len(frames), _A_LINE)

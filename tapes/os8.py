@@ -84,7 +84,7 @@ def frames(packed: Sequence[int]) -> bytes:
 
 
 def _bytes(packed: Sequence[int]) -> bytes:
-    """Return the bytes in words, three in two."""
+    """Return the bytes that words hold, three in each two words."""
     found = bytearray()
     for first, second in zip(packed[::2], packed[1::2], strict=False):
         found += bytes((first & 0o377, second & 0o377, first >> 4 & 0o360 | second >> 8))
@@ -107,7 +107,7 @@ def from_text(lines: str) -> list[int]:
 
 
 def pack(frames: bytes) -> list[int]:
-    """Return bytes with a ^Z behind them as words, three in two."""
+    """Return words that hold these bytes and a ^Z, three in each two words."""
     ended = frames + bytes((_CTRL_Z | 0o200,))
     ended += bytes(-len(ended) % 3)
     packed = []

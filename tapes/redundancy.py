@@ -25,7 +25,7 @@ TURNED = {
     MIRROR: "upside down",
     f"{REVERSE} {MIRROR}": "upside down and back to front",
 }
-"""What a tape is that `pdp8 tape cut` has to turn so."""
+"""How a tape was read that this option of `pdp8 tape cut` turns."""
 
 _MOST_FLIPPED = 3
 _MOST_WRONG = 0.1

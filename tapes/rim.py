@@ -154,7 +154,7 @@ def _ending(frames: bytes, end: int) -> list[str]:
 
 
 def _after_trailer(frames: bytes, at: int) -> bool:
-    """Tell whether frame `at` follows a trailer: frames of 200, more than stand between two words."""
+    """Whether frame `at` follows a trailer, that is, more frames of 200 than are between two words."""
     return frames[: paper_end(frames[:at])].endswith(LEAST_LEADER)
 
 

@@ -1,8 +1,8 @@
 """The holes of a sheet: seen near their places, they say where the sheet is.
 
-Nothing is known of a row at first but its own holes. So slant and width of what lies beside it are tried, and
-the likeliest path of both along the tape is taken; then the holes that are near their places fit the sheet,
-ever farther from the row and ever less stiffly.
+Nothing is known of a row at first but its own holes. So slants and widths of what is beside it are tried, and
+the likeliest path of both along the tape is taken. Then the sheet is fitted to the holes that are near their
+places, step by step farther from the row, and each time less stiffly.
 """
 
 import cv2
@@ -27,7 +27,7 @@ _ASTRAY = 4
 _MIDDLE = 0.1
 """Pitches over which a hole is smoothed to find its middle: what is seen through it then moves it little."""
 _FAINT = 0.02
-"""What places count that only hold the sheet where there are no holes."""
+"""The weight of places that only keep the sheet in shape where there are no holes."""
 
 
 def by_holes(pictures: Sizes, row: Row) -> Sheet:

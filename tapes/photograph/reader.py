@@ -46,9 +46,9 @@ _NO_TAPE = "no tape is read: "
 
 
 class Frame(NamedTuple):
-    """A frame as it was seen: its holes, its channels in doubt as a mask, why the first of them is or "", the
-    places in pixels of the sprocket hole and of channels 1 to 8, and the channel that is nearest to being the
-    other, as a mask, with how near: 0 to .5 of a hole's darkness.
+    """A frame as it was seen: its holes; its doubtful channels, a mask; why the first of them is doubtful, or
+    ""; the places in pixels of the sprocket hole and of channels 1 to 8; the channel that is nearest to being
+    the opposite, a mask; and how near it is, 0 to .5 of a hole's darkness.
     """
 
     holes: int

@@ -4,12 +4,14 @@
     b.jpg             |..............|        what both show is compared at every shift of the one
     c.jpg                         |........|
 
-A shift fits if no more than one frame in fifty differs where both are sure. It says as many bits as its
-longest run without such a frame: one that is one in 2**n says n bits; if it is blank or like the one before,
-none. Two strips are joined if that is half as much again as any other run in them, beside each other or each
-beside itself. If strips fit in a second way too, the tape repeats itself, and nothing is joined.
+A shift fits if no more than one frame in fifty differs where both are sure. The evidence for it is the
+longest run of frames that agree, in bits: a frame as rare as one in 2**n counts n bits; one that is blank, or
+like the one before, counts none. Two strips are joined if that is half as much again as any other run that
+agrees, of the one with the other or with itself. If strips fit in a second way too, the tape repeats itself,
+and nothing is joined.
 
-Of a frame that is seen twice, each channel is as it is sure; sure twice and different, it is doubtful.
+In a frame that is seen twice, each channel is taken from where it is sure; if both are sure and differ, it is
+doubtful.
 """
 
 from collections.abc import Mapping, Sequence
@@ -27,7 +29,7 @@ _DIFFER = "two pictures of it differ"
 _ENOUGH = 40
 """Bits in what two strips have in common."""
 _CLEAR = 1.5
-"""So many times as much as anything else that is alike in them."""
+"""The best shift has so many times the bits of any other likeness in the strips."""
 _MOST_WRONG = 0.02
 _TWICE = "the tape repeats itself where they overlap: let them overlap by more"
 _APART = "two have to have 30 frames in common that are sure, not blank, and unlike the one before"
