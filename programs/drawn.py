@@ -1,7 +1,7 @@
 """A curve drawn by hand: its height on the table at each .04 in of X from 2.000, straight between.
 
-Not of the thesis: its technique, on a curve drawn by a finger. The pages have the frame to draw it in; Chapter
-6 reduces such "design curves" to a polynomial first, as `pdp8 part fit` does.
+Not of the thesis: its technique, on a curve drawn by a finger. The pages have the frame to draw it in;
+Chapter 6 reduces such "design curves" to a polynomial first, as `pdp8 part fit` does.
 """
 
 from itertools import pairwise

@@ -46,7 +46,7 @@ class AssemblyError(WorkError):
 @option("--json", "Write words, symbols, lines and diagnostics as JSON.", Target("JSON"), metavar="FILE")
 @option("--tty", "Write NAME.pass1, .pass2, .pass3: the raw frames of an ASR-33.", Folder(), metavar="FOLDER")
 @flag("--force", "Punch the tape in spite of errors, as DEC's assembler did.", excludes="--check")
-@flag("--strict", "Take notes for errors.")
+@flag("--strict", "Treat notes as errors.")
 @flag(
     "--check",
     "Say what is wrong, and write nothing.",
@@ -63,7 +63,7 @@ class AssemblyError(WorkError):
 @flag("--modern", "Read lower case as capitals; nothing else differs.")
 @option(
     "--for model",
-    "Note each word that another model of the PDP-8 does not do as this one does.",
+    "Note each word that other models of the PDP-8 execute differently.",
     click.Choice(MODELS),
 )
 @flag(
@@ -131,7 +131,7 @@ def pal(
     if assembly.dialect == PAL8:
         _check_options_of_pal3(tty, modern, high_speed_reader)
     elif wipe:
-        raise click.UsageError("--w is PAL8's /W; this is PAL III: --dialect pal8 takes it so")
+        raise click.UsageError("--w is PAL8's /W; this is PAL III: --dialect pal8 makes it PAL8")
     for diagnostic in diagnostics[:MOST]:
         command.tell(_coloured(diagnostic), styled=True)
     more = [diagnostic.error for diagnostic in diagnostics[MOST:]]

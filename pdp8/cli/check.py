@@ -47,7 +47,7 @@ _BYTE_ORDER_MARK = "\ufeff"
 )
 @flag(
     "--prove",
-    "Try whether the exercise does its work: its solution, slips in it, and what the task says.",
+    "Test the exercise: its solution, slips in it, and what the task says.",
     only="EXERCISE --seed",
 )
 @flag(
@@ -56,7 +56,7 @@ _BYTE_ORDER_MARK = "\ufeff"
     needs="ANSWER",
     excludes="--variants",
 )
-@option("--dialect", "That of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@option("--dialect", "Dialect of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
 @option("--json", "Write the marks as JSON.", Target("JSON"))
 @option("--csv", "Write the marks for a spreadsheet.", Target("text"))
 @option("--junit", "Write the marks as JUnit does.", Target("XML"))

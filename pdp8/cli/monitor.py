@@ -41,7 +41,7 @@ _BACK = "cont goes back into the program"
     multiple=True,
     metavar="NAME|FILE:CLASS",
 )
-@option("--dialect", "That of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@option("--dialect", "Dialect of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
 @flag("--echo", "Show each line of a script before its answer.")
 def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialect: str, echo: bool) -> None:
     """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.

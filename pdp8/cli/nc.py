@@ -237,7 +237,7 @@ _FORMATS = {".dxf": "DXF"} | dict.fromkeys((".ngc", ".nc", ".gcode", ".tap", ".c
 )
 @flag(
     "--as-1971",
-    "All that the machine did, parking and stops; Z 0 is the quill's top.",
+    "All that the machine did, with parking and stops; Z 0 is the quill's top.",
     excludes="--cutter --dxf",
 )
 @flag("--dxf", "A drawing of the path (needs ezdxf, the extra `nc`).", excludes="--gcode --peck")

@@ -199,7 +199,7 @@ def fit(points: str, degree: int, mm: bool) -> None:
     command.tell(f"at most {found.worst:.4f} in from a point")
 
 
-@part.command(short_help="The other hand of a part.")
+@part.command(short_help="The mirror image of a part.")
 @click.argument("tape", type=Source(), metavar="[FILE.asc]", default="-")
 @option("--across", "The axis to reflect.", click.Choice(["x", "y"]), default="x")
 @option(

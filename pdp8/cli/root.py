@@ -86,7 +86,7 @@ def _show_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
 @click.group(cls=_Lazy)
 @flag(
     "--version",
-    "Show the version, and which form of the core runs, from where.",
+    "Show the version, and from which file the core runs, compiled or interpreted.",
     is_eager=True,
     expose_value=False,
     callback=_show_version,

@@ -70,7 +70,7 @@ class Options:
     )
     memory: str = field(
         "--memory",
-        "Words of core; 32k as no PDP-8/L had it.",
+        "Words of core; no PDP-8/L had 32k.",
         click.Choice(list(MEMORY)),
         default="4k",
         excludes="--restore",
@@ -100,7 +100,9 @@ class Options:
     )
     printer: str | None = field("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
     keyboard: bool = field(
-        "--keyboard", "Type at the Teletype and see it print; Ctrl-] stops, into the monitor.", is_flag=True
+        "--keyboard",
+        "Type at the Teletype and see it print; Ctrl-] stops and opens the monitor.",
+        is_flag=True,
     )
     line: str | None = field(
         "--line",
@@ -140,7 +142,7 @@ class Options:
     )
     dialect: str = field(
         "--dialect",
-        "That of PAL source.",
+        "Dialect of PAL source.",
         click.Choice(DIALECTS),
         default=FOUND,
         needs="PROGRAM",
@@ -460,7 +462,7 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
             "give a PROGRAM, or --restore FILE, or --dectape 0=FILE or --disk df32=FILE to boot."
         )
     if options.program is not None and options.restore is not None:
-        raise click.UsageError("give a PROGRAM, or --restore FILE and none.")
+        raise click.UsageError("give a PROGRAM or --restore FILE, not both.")
     if options.line and sys.platform == "win32":
         raise click.UsageError("--line needs the serial lines of Linux, macOS or another POSIX system.")
 

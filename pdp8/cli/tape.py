@@ -62,7 +62,7 @@ def _frames_and_values(_context: click.Context, _option: click.Parameter, value:
 
 _mend = option(
     "--mend",
-    "Take these frames for others than were punched.",
+    "Read these frames as other values than were punched.",
     metavar="FRAME=OCTAL,...",
     default="",
     callback=_frames_and_values,
@@ -147,7 +147,10 @@ def tape() -> None:
 )
 @option("--to last", "The last frame to show.", click.IntRange(0), metavar="FRAME")
 @option(
-    "--code", "What the captions take the tape for.", click.Choice([_AUTO, *_NAMES, "none"]), default=_AUTO
+    "--code",
+    "The code in which the captions read the tape.",
+    click.Choice([_AUTO, *_NAMES, "none"]),
+    default=_AUTO,
 )
 @option(
     "--svg", "Draw it in true size as SVG into FILE (- for standard output).", Target("SVG"), metavar="FILE"
@@ -240,7 +243,7 @@ def info(files: tuple[str, ...]) -> None:
 @tape.command()
 @_file
 @option("--code", "The code it is in.", click.Choice([_AUTO, *conversion.FORMS]), default=_AUTO)
-@option("--to target", "The code to make of it.", click.Choice(conversion.TARGETS), required=True)
+@option("--to target", "The code to convert it to.", click.Choice(conversion.TARGETS), required=True)
 @_parity("--to")
 @option(
     "--fill",

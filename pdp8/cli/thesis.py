@@ -70,7 +70,7 @@ def page(output: str) -> None:
 
 
 @thesis.command("numbers")
-@option("--chapter", "Those of one chapter.", click.IntRange(1, 10), metavar="NUMBER")
+@option("--chapter", "Only the numbers of one chapter.", click.IntRange(1, 10), metavar="NUMBER")
 @output(Target("text"))
 def numbers_(chapter: int | None, output: str) -> None:
     """List every number of the thesis: page, words, ours, its state, and what makes it.

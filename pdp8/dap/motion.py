@@ -73,7 +73,7 @@ def back_to(
 ) -> bool:
     """Undo as far as the last stop, as rewind.until_stopped does; else all. Returns whether there was one."""
     try:
-        rewind.until_stopped(history, watched, "no breakpoint was come to", stops, look)
+        rewind.until_stopped(history, watched, "no breakpoint was reached", stops, look)
     except HistoryError:
         rewind.instructions(history, history.instructions)
         return False

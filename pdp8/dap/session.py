@@ -241,7 +241,7 @@ class Session:
         def look(part: float) -> None:
             nonlocal shown, began
             if self._paused:
-                raise WorkError("paused: the machine stands where it stood")
+                raise WorkError("paused: the machine is where it was")
             if self._reports and monotonic() - shown > _PROGRESS:
                 if not began:
                     self._wire.event("progressStart", progressId=_BACK, title="Going back", cancellable=False)

@@ -144,13 +144,13 @@ def untold(exercise: Exercise) -> Iterator[str]:
         every = _all(case.trials)
         for place in dict.fromkeys(place for each in every for place in _places(each)):
             if not _told(place, asked):
-                yield f"{case.name}: {place} is not told"
+                yield f"{case.name}: {place} is not mentioned"
         if any(each.starts > 1 or each.again for each in every) and not re.search(r"\bagain\b", asked):
-            yield f"{case.name}: it is started again, which is not told"
+            yield f"{case.name}: it is started again, which is not mentioned"
         for key, words in _SAID.items():
             plain = getattr(Trial(), key)
             if any(getattr(each, key) != plain for each in every) and not re.search(words, asked):
-                yield f"{case.name}: {key} is looked at or used, and not told"
+                yield f"{case.name}: {key} is checked or used, and not mentioned"
 
 
 def _all(trials: tuple[Trial, ...]) -> list[Trial]:

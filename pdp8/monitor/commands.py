@@ -106,7 +106,7 @@ def do_file(monitor: Monitor, name: str, *more: str) -> None:
 def goto(monitor: Monitor, label: str) -> None:
     """Go on in the script at the line :LABEL."""
     if not monitor.depth:
-        raise MonitorError("goto stands in scripts")
+        raise MonitorError("goto is for scripts")
     monitor.goto = ":" + label.removeprefix(":").upper()
 
 

@@ -73,7 +73,7 @@ def _refused(monitor: Monitor) -> str:
     """Run until the program asks for a key; return why it does not, or nothing."""
     machine = monitor.machine
     if not machine.panel.lamps.run:
-        return "the machine stands still, and cont goes on"
+        return "the machine is stopped; cont continues"
     why = ""
     receiver, actions, places = machine.teletype.receiver, machine.bus.actions, list[int]()
     for stop in slices(monitor, _PATIENCE, GLANCE):

@@ -141,7 +141,7 @@ def _send(monitor: Monitor) -> None:
 def _wait_for(monitor: Monitor, goal: Goal) -> None:
     """Run until the text has been printed so often since `monitor.expected`. Raises MonitorError."""
     left = goal.times - _passed(monitor, goal.text, goal.times)
-    why = "the machine stands still"
+    why = "the machine is stopped"
     if left and monitor.machine.panel.lamps.run:
         for stop in slices(monitor, goal.seconds, GLANCE):
             why = f"{goal.seconds:g} s have passed" if stop.reason is Reason.LIMIT else str(stop.reason)

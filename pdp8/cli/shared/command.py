@@ -199,7 +199,7 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
     except RecursionError:
         return _complain(f"{_path(command, name, arguments)}: nested too deeply", 1)
     except MemoryError:
-        return _complain(f"{_path(command, name, arguments)}: the memory does not suffice", 1)
+        return _complain(f"{_path(command, name, arguments)}: out of memory", 1)
     except SystemExit:
         if sys.stdout is not stdout:  # click puts a silent one there as it meets a closed pipe
             return 0

@@ -26,7 +26,7 @@ from tapes.errors import TapeError, visible
         (click.ClickException("no"), 1, "own: no\nown --help shows what there is"),
         (KeyboardInterrupt(), 130, "\nown part: interrupted"),
         (RecursionError(), 1, "own part: nested too deeply"),
-        (MemoryError(), 1, "own part: the memory does not suffice"),
+        (MemoryError(), 1, "own part: out of memory"),
         (OSError(ENOSPC, "full", "x"), 1, "own part: x: full"),
         (OSError(ENOSPC, "full"), 1, "own part: standard output: full"),
         (OSError("odd"), 1, "own part: standard output: odd"),

@@ -84,7 +84,7 @@ def test_what_a_user_of_simh_does_who_reads_help(tmp_path: Path) -> None:
     )
     assert re.fullmatch(rb"AC [0-7]{4}\n", command(b"e ac"))
     assert command(b"e 200").startswith(b"0200  ")
-    assert b"the machine stands still, and cont goes on" in command(b"TYPE 3+3,!")
+    assert b"the machine is stopped; cont continues" in command(b"TYPE 3+3,!")
     back(b"cont")
     assert typed(b"TYPE 2*2,!\r") == b"TYPE 2*2,!\n" + answers[1] + b"*"
     terminal.type(b"\x1d")

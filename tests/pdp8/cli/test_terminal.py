@@ -92,7 +92,7 @@ def test_the_prompt_gives_each_answer_a_line_and_takes_the_tapes_off_at_the_end(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command, "tell", print)
     page = "A\nhalt; 0.000011 s; next 0204  0301          AND 0301\n"
-    refused = page + "'B' was not printed: the machine stands still; the page shows 'AA'\n"
+    refused = page + "'B' was not printed: the machine is stopped; the page shows 'AA'\n"
     for typed_in, shown in ((lines, f"{page}wrote out: 1 frame\n"), (lines + more, page + refused)):
         terminal = Terminal()
         monkeypatch.setattr(monitor, "_typed", partial(iter, typed_in))

@@ -251,7 +251,7 @@ def test_a_pause_ends_one_search_and_not_the_next(monkeypatch: pytest.MonkeyPatc
     made = Session(BytesIO(framed(launch, back, back)), out)
     made.serve()
     first, second = [each for each in spoken(out.getvalue()) if each.get("command") == "reverseContinue"]
-    assert (first["message"], second["success"]) == ("paused: the machine stands where it stood", True)
+    assert (first["message"], second["success"]) == ("paused: the machine is where it was", True)
 
 
 @pytest.mark.parametrize("undebugged", [False, True])

@@ -219,9 +219,9 @@ tests='puts 6 into'
 def test_what_a_task_does_not_say_is_listed() -> None:
     told = list(proof.untold(parse(UNTOLD, "e")))
     assert told == [
-        "a: tests = 'puts 6 into' is no quotation from the task", "a: B is not told", "a: 0310 is not told",
-        "a: it is started again, which is not told", "a: ac is looked at or used, and not told",
-        "a: instructions is looked at or used, and not told",
+        "a: tests = 'puts 6 into' is no quotation from the task", "a: B is not mentioned", "a: 0310 is not mentioned",
+        "a: it is started again, which is not mentioned", "a: ac is checked or used, and not mentioned",
+        "a: instructions is checked or used, and not mentioned",
     ]  # fmt: skip
     task = "at A and halts, again and again, within 9 instructions, 5 in the AC, B and 0300 to 0317 0."
     text = UNTOLD.replace("at A and halts.", task).replace("puts 6", "puts 5")

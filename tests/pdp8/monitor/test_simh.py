@@ -89,7 +89,7 @@ def test_a_line_of_the_table(row: list[str]) -> None:
         ("deposit -m 200 CLA CLB", "CLA CLB: no instruction"),
         ("! ls", "no command of the system"),
         ("dump core.bin", "punch 0-7577"),
-        ("if not exist x goto y", "goto stands in scripts"),
+        ("if not exist x goto y", "goto is for scripts"),
         ("if (AC == 0) echo x", "if [not] exist FILE COMMAND"),
     ],
 )
