@@ -219,7 +219,8 @@ tests='puts 6 into'
 def test_what_a_task_does_not_say_is_listed() -> None:
     told = list(proof.untold(parse(UNTOLD, "e")))
     assert told == [
-        "a: tests = 'puts 6 into' is no quotation from the task", "a: B is not mentioned", "a: 0310 is not mentioned",
+        "a: tests = 'puts 6 into' is no quotation from the task",
+        "a: B is not mentioned", "a: 0310 is not mentioned",
         "a: it is started again, which is not mentioned", "a: ac is checked or used, and not mentioned",
         "a: instructions is checked or used, and not mentioned",
     ]  # fmt: skip
