@@ -84,14 +84,10 @@ def centre_path(
     )
 
 
-_WIDEST = 10
-"""Inches: no cutter of the machine is wider."""
-
-
 def check_cutter(diameter: float) -> None:
-    """Raise WorkError for a cutter that the machine does not have."""
-    if not 0 < diameter <= _WIDEST:
-        raise WorkError(f"cutter of diameter {diameter:g} in: must be greater than 0, and {_WIDEST} at most")
+    """Raise WorkError for a cutter, in inches, that the machine does not have."""
+    if not 0 < diameter <= 10:
+        raise WorkError(f"cutter of diameter {diameter:g} in: must be greater than 0, and 10 at most")
 
 
 def offset_path(

@@ -15,14 +15,7 @@ from typing import Literal
 
 from programs.printout import check_on_table
 from tapes.errors import WorkError
-from tapes.hydrapoint import (
-    DIGITS,
-    HOLE_MAKING,
-    Block,
-    Miscellaneous,
-    Preparatory,
-    block,
-)
+from tapes.hydrapoint import DIGITS, HOLE_MAKING, Block, Miscellaneous, Preparatory, block
 from tapes.text import lines_of
 
 
@@ -33,20 +26,16 @@ def mirrored(printout: str, across: Literal["x", "y"], middle: float | None = No
     places = [found.x if across == "x" else found.y for found in blocks if _is_of_the_part(found)]
     if not places:
         raise WorkError("no block mills or makes a hole: there is no part to mirror")
-    twice = min(places) + max(places) if middle is None else _doubled(middle)
+    twice = min(places) + max(places) if middle is None else 2 * middle
+    if twice != round(twice):
+        raise WorkError(f"mirror about {twice / 2000!r} in: must be a whole number of half thousandths")
     start, stop = (4, 9) if across == "x" else (9, 14)
     for number, (line, found) in enumerate(zip(lines, blocks, strict=True), 1):
         if _is_of_the_part(found):
-            place = twice - (found.x if across == "x" else found.y)
+            place = round(twice) - (found.x if across == "x" else found.y)
             check_on_table(str(number), across.upper(), place)
             lines[number - 1] = f"{line[:start]}{place:05}{line[stop:]}"
     return "".join(f"{line}\n" for line in lines)
-
-
-def _doubled(middle: float) -> int:
-    if 2 * middle != round(2 * middle):
-        raise WorkError(f"mirror about {middle / 1000!r} in: must be a whole number of half thousandths")
-    return round(2 * middle)
 
 
 def _block(line: str, number: int) -> Block:

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 from typing import Any, Final
 
 from programs.die import AXES
-from programs.points import outline
+from programs.points import outline, read
 from tapes.nominal import Kind, Nominal
 
 
@@ -54,7 +54,7 @@ def _profile(given: SimpleNamespace) -> Nominal:
     centre, text = (given.centre_x, given.centre_y), given.expression
     if "\n" not in text:
         return _made(given, "profile", *centre, expression=text)
-    return _made(given, "profile", *centre, points=tuple(outline(text, given.tolerance)))
+    return _made(given, "profile", *centre, points=tuple(outline(read(text), given.tolerance)))
 
 
 def _made(given: SimpleNamespace, kind: Kind, *numbers: float, **others: Any) -> Nominal:

@@ -140,14 +140,10 @@ class Technique:
         return bisect_left(longer, True, lo=steps, key=lambda more: not self._kept(path, aside, more)) - 1
 
     def _kept(self, path: "_Path", aside: int, steps: int) -> bool:
-        """Whether the band is kept by a path of so many steps."""
-        stop = path.stop(aside, steps)
-        if not path.leads(stop) or _passes(path.stretch, path.at, stop):  # most do not
+        """Whether the band is kept by a path of so many steps with both extremes of the feeds."""
+        stretch, at, stop, speeds = path.stretch, path.at, path.stop(aside, steps), path.speeds
+        if not path.leads(stop) or _passes(stretch, at, stop):  # most do not
             return False
-        return self._keeps(path.stretch, path.at, stop, path.speeds)
-
-    def _keeps(self, stretch: Stretch, at: Point, stop: Point, speeds: tuple[float, ...]) -> bool:
-        """Whether the path is inside the band for both extremes of the feeds, which enclose all others."""
         fast, slow = 1 + self.feed_error, 1 - self.feed_error
         extremes = [(speeds[0] * fast, speeds[1] * slow), (speeds[0] * slow, speeds[1] * fast)]
         corners = [corner(at, stop, *extreme) for extreme in extremes]
@@ -178,6 +174,5 @@ def _steps_inside(stretch: Stretch, at: Point, x: int, y: int) -> int:
 def _passes(stretch: Stretch, at: Point, stop: Point) -> bool:
     """Whether the end of the stretch lies between the two points."""
     x, y = stretch.last_x, stretch.last_y
-    return (x is not None and (stop.x - x) * (at.x - x) < 0) or (
-        y is not None and (stop.y - y) * (at.y - y) < 0
-    )
+    passes_x = x is not None and (stop.x - x) * (at.x - x) < 0
+    return passes_x or (y is not None and (stop.y - y) * (at.y - y) < 0)

@@ -41,13 +41,8 @@ def read(text: str) -> list[Place]:
     return points
 
 
-def outline(text: str, tolerance: float) -> list[Place]:
-    """Return the corners of the closed line through a text's points, counterclockwise. Raises WorkError."""
-    return outlined(read(text), tolerance)
-
-
-def outlined(points: list[Place], tolerance: float) -> list[Place]:
-    """Return the same for points. Raises WorkError as `outline`."""
+def outline(points: list[Place], tolerance: float) -> list[Place]:
+    """Return the corners of the closed line through the points, counterclockwise. Raises WorkError."""
     if len(points) > _MOST:
         raise WorkError(f"{len(points):,} points: at most {_MOST:,} are allowed")
     for x, y in points:

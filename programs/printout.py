@@ -69,10 +69,8 @@ class Printout:
         miscellaneous: SupportsInt,
     ) -> None:
         """PRINT 30: a block of the contour. Raises WorkError where `x`, `y` is off the table."""
-        x, y = self._on_table(x, y, int(sequence))
-        self._lines.append(
-            FORMAT_30.line(sequence, preparatory, x, y, tool, miscellaneous, overflow=self._overflow)
-        )
+        values = (sequence, preparatory, *self._on_table(x, y, int(sequence)), tool, miscellaneous)
+        self._lines.append(FORMAT_30.line(*values, overflow=self._overflow))
 
     @staticmethod
     def _on_table(x: SupportsInt, y: SupportsInt, sequence: int) -> tuple[int, int]:
@@ -109,24 +107,18 @@ def check_codes(sequence: int, preparatory: int, *functions: int) -> None:
 
 def check_band(name: str, size: float, inner: float, outer: float) -> None:
     """Raise WorkError unless `size` is positive and its limits are two thousandths or more apart."""
+    what, least, most = f"{name} {_inches(size)}", _inches(inner), _inches(outer)
     if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
-        raise WorkError(f"{name} {_inches(size)} between {inner:g} and {outer:g}: must be finite numbers")
+        raise WorkError(f"{what} between {inner:g} and {outer:g}: must be finite numbers")
     if size <= 0:
-        raise WorkError(f"{name} {_inches(size)}: must be greater than 0")
+        raise WorkError(f"{what}: must be greater than 0")
     if inner <= 0:
-        raise WorkError(
-            f"{name} {_inches(size)} has an inner limit of {_inches(inner)}: the tolerance must be smaller "
-            "than the curve"
-        )
+        raise WorkError(f"{what} has an inner limit of {least}: the tolerance must be smaller than the curve")
     if outer > X_TRAVEL:
-        raise WorkError(
-            f"{name} {_inches(size)} has an outer limit of {_inches(outer)}: the table is {_inches(X_TRAVEL)}"
-        )
+        raise WorkError(f"{what} has an outer limit of {most}: the table is {_inches(X_TRAVEL)}")
     if outer - inner < 2:
-        raise WorkError(
-            f"{name} {_inches(size)} between {_inches(inner)} and {_inches(outer)}: a tolerance must be "
-            ".001 in, the machine's resolution, or more"
-        )
+        resolution = "a tolerance must be .001 in, the machine's resolution, or more"
+        raise WorkError(f"{what} between {least} and {most}: {resolution}")
 
 
 def check_start(x: float, y: float, furthest_x: float, furthest_y: float) -> None:

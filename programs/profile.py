@@ -24,7 +24,7 @@ from programs.function import CutterOfSurface, check_cutter
 from programs.header import THESIS, Header
 from programs.milling import SLOWEST, Milling
 from programs.points import Place, length, turn
-from programs.stretches import Axis, Curve, Point, Side, Stretch, check_tolerance
+from programs.stretches import Curve, Point, Side, Stretch, check_tolerance, side_of, sign
 from programs.units import INCHES, thousandths, tolerance_units
 from tapes.errors import WorkError
 from tapes.expression import LANGUAGE, function
@@ -57,7 +57,8 @@ def part(
     overflow: Overflow = "low-digits",
 ) -> str:
     """Return the printout of the profile r = `expression`, or of an outline; inches. Raises WorkError."""
-    edge = points.outline(expression, tolerance) if "\n" in expression else _polar(expression)
+    is_outline = "\n" in expression
+    edge = points.outline(points.read(expression), tolerance) if is_outline else _polar(expression)
     across, up = thousandths("centre X", centre_x), thousandths("centre Y", centre_y)
     clockwise = [(1000 * x + across, 1000 * y + up) for x, y in reversed(edge)]
     curve = _beside(clockwise, cutter, side, tolerance_units(tolerance))
@@ -153,31 +154,19 @@ def closed(path: Sequence[Place], tolerance: float) -> Curve:
         last_y = last.y if turns_x else None
         if end == len(path) - 1:
             last_x, last_y = start
-        stretches.append(_stretch(path[begin : end + 1], (dx, dy), tolerance, (last_x, last_y)))
+        band = _Band(path[begin : end + 1], dx, dy, tolerance)
+        stretches.append(Stretch(dx, dy, band.side, "Y" if dx * dy > 0 else "X", last_x, last_y))
     return Curve(start, tuple(stretches), start)
-
-
-def _stretch(
-    path: Sequence[Place], way: tuple[int, int], tolerance: float, last: tuple[int | None, int | None]
-) -> Stretch:
-    dx, dy = way
-    band = _Band(path, dx, dy, tolerance)
-    upward: Axis = "Y" if dx * dy > 0 else "X"
-    return Stretch(dx, dy, band.side, upward, *last)
 
 
 def _ways(steps: list[float]) -> list[int]:
     """Return the direction of each step, 1 or -1; a zero-length step takes the previous direction."""
-    way = next(_way(step) for step in steps if abs(step) > _FLAT)
+    way = next(sign(step) for step in steps if abs(step) > _FLAT)
     ways = []
     for step in steps:
-        way = _way(step) if abs(step) > _FLAT else way
+        way = sign(step) if abs(step) > _FLAT else way
         ways.append(way)
     return ways
-
-
-def _way(step: float) -> int:
-    return -1 if step < 0 else 1
 
 
 class _Band:
@@ -190,12 +179,7 @@ class _Band:
 
     def side(self, x: float, y: float) -> Side:
         """Return the side of the band that a point is on; left of the path is above."""
-        off = self._left(x, y)
-        if abs(off) < self._tolerance:
-            return Side.INSIDE
-        if abs(off) == self._tolerance:
-            return Side.UPPER_LIMIT if off > 0 else Side.LOWER_LIMIT
-        return Side.ABOVE if off > 0 else Side.BELOW
+        return side_of(self._left(x, y), -self._tolerance, self._tolerance)
 
     def _left(self, x: float, y: float) -> float:
         """Return how far to the left of the path a point is."""

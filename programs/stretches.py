@@ -98,10 +98,10 @@ def line(start: Point, end: Point, tolerance: float) -> Curve:
 
     def side(x: float, y: float) -> Side:
         off = across * (y - start.y) - up * (x - start.x)
-        return _side(off, -limit, limit)
+        return side_of(off, -limit, limit)
 
     upward: Axis = "Y" if across * up > 0 else "X"
-    return Curve(start, (Stretch(_sign(across), _sign(up), side, upward, end.x, end.y),), end)
+    return Curve(start, (Stretch(sign(across), sign(up), side, upward, end.x, end.y),), end)
 
 
 def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: float) -> Curve:
@@ -110,7 +110,7 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
     inner, outer = (radius - tolerance) ** 2, (radius + tolerance) ** 2
 
     def side(x: float, y: float) -> Side:
-        return _side((x - centre.x) ** 2 + (y - centre.y) ** 2, inner, outer)
+        return side_of((x - centre.x) ** 2 + (y - centre.y) ** 2, inner, outer)
 
     def at(angle: float) -> Point:
         return Point(
@@ -119,8 +119,8 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
 
     def stretch(angle: float, until: float) -> Stretch:
         middle = radians((angle + until) / 2)
-        way = _sign(sweep)
-        dx, dy = -_sign(sin(middle)) * way, _sign(cos(middle)) * way
+        way = sign(sweep)
+        dx, dy = -sign(sin(middle)) * way, sign(cos(middle)) * way
         upward: Axis = "X" if dx * cos(middle) > 0 else "Y"
         if until == last:
             return Stretch(dx, dy, side, upward, *at(until))
@@ -180,12 +180,12 @@ def graph(first_x: int, lower: Sequence[Any], upper: Sequence[Any]) -> Curve:
         if part:
             low = low + (limits[place + 1][0] - low) * part
             high = high + (limits[place + 1][1] - high) * part
-        return _side(y, low, high)
+        return side_of(y, low, high)
 
     places = [0, *turning_points(middle), len(middle) - 1]
     stretches = []
     for here, there in pairwise(places):
-        dy = _sign(middle[there] - middle[here])
+        dy = sign(middle[there] - middle[here])
         stretches.append(Stretch(1, dy, side, "Y" if dy > 0 else "X", last_x=first_x + there))
     start, end = Point(first_x, round(middle[0])), Point(first_x + len(middle) - 1, round(middle[-1]))
     return Curve(start, tuple(stretches) if max(middle) > min(middle) else (), end)
@@ -196,7 +196,7 @@ def turning_points(heights: Sequence[float]) -> list[int]:
     turns = []
     way = 0
     for place, (here, there) in enumerate(pairwise(heights)):
-        step = _sign(there - here)
+        step = sign(there - here)
         if step and way and step != way:
             turns.append(place)
         way = step or way
@@ -225,7 +225,7 @@ def _check_steepness(first_x: int, heights: Sequence[float], tolerance: float) -
             )
 
 
-def _side(value: float, low: float, high: float) -> Side:
+def side_of(value: float, low: float, high: float) -> Side:
     """Return the side of a band that `value` is on, `low` and `high` its limits."""
     if value <= low:
         return Side.BELOW if value < low else Side.LOWER_LIMIT
@@ -234,5 +234,6 @@ def _side(value: float, low: float, high: float) -> Side:
     return Side.INSIDE
 
 
-def _sign(number: float) -> int:
+def sign(number: float) -> int:
+    """Return 1, 0 or -1."""
     return (number > 0) - (number < 0)

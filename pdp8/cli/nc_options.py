@@ -264,7 +264,7 @@ class Named:
         with naming(name):
             text = content.decode("utf-8", "replace")
             if not companion.is_one(text):
-                corners = points.outlined(table.read(content, mm).places, named.tolerance)
+                corners = points.outline(table.read(content, mm).places, named.tolerance)
                 return named._replace(expression="", points=tuple(corners), source=name)
             if self.side or self.origin:
                 raise click.UsageError(f"{name} says the side and the place: leave out --side and --origin.")
