@@ -28,9 +28,9 @@ _STEP = 1e-6
 _PLACES = 7200
 """Places of a profile that is a function of the angle."""
 _FAN = radians(0.25)
-"""Between two normals at a corner."""
+"""Radians between two normals at a corner."""
 _CORNER = radians(3)
-"""A turn that matters for the distance of a wall."""
+"""Radians: a turn that matters for the distance of a wall."""
 _GUESSED = ", guessed from the path"
 _ROUND = 5
 """What a guess is a multiple of, in thousandths, if nothing speaks against it."""

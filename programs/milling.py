@@ -20,9 +20,9 @@ from tapes.hydrapoint import Miscellaneous, Preparatory
 _FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "Y": Miscellaneous.Y_FEED}
 
 STEP, PIECE = "technique=step", "technique=piece"
-"""What a constant of one technique needs."""
+"""What has to be chosen for a constant of one technique to have a meaning."""
 AS_LISTED = (STEP, "not stop=inside")
-"""What a constant of the listings' own method needs."""
+"""What has to be chosen for a constant of the listings' own method to have a meaning."""
 NO_CUTTER = "not cutter"
 """What a constant needs that means nothing for a path beside the surface."""
 

@@ -43,7 +43,7 @@ THESIS: Final = {
         blocks="2650 (Table 10.1)", cut="180 (Table 10.1)", worst=".003 designed, .0028 measured (Ch. 8)"
     ),
 }
-"""By part."""
+"""The thesis's figures, by part."""
 
 
 class Timed(NamedTuple):

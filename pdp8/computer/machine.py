@@ -95,9 +95,9 @@ class Machine:
         self._watched: tuple[frozenset[int], ...] = (frozenset(), frozenset())
         """The breakpoints, and the words, that are known to be addresses."""
         self._marks = b""
-        """Those breakpoints, as Waiting has them."""
+        """The watched breakpoints, as Waiting has them."""
         self._observer: Observer | None = None
-        """That of the last run."""
+        """The observer of the last run."""
         self.power_up()
 
     def __repr__(self) -> str:

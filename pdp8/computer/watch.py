@@ -34,7 +34,7 @@ class Watch:
         """Addresses of words after whose reading a run stops, as operands or pointers."""
         self.observer: Observer | None = None
         self.reached = False
-        """Set when the last instruction wrote or read one of them, or was a JMS to a breakpoint."""
+        """Set when the last instruction wrote or read a watched word, or was a JMS to a breakpoint."""
         self.written: set[int] = set()
         self.read: set[int] = set()
         """Which of the words watched the last instruction wrote, and which it read."""

@@ -65,7 +65,7 @@ class Session:
         self.hand = 0
         """Which switch of the switch register the hand is at, 0 the leftmost."""
         self.listing = Listing()
-        """That of the program in core."""
+        """The listing of the program in core."""
         self._explained_at = -1
         """Where the program waits, if that was explained already, else -1."""
         self._clock = clock

@@ -56,7 +56,7 @@ class Debuggee:
 
     @property
     def advances(self) -> bool:
-        """Whether the machine has more to do; it may run and only wait."""
+        """Whether there is more to run: not so if the machine runs and only waits."""
         return self._slices is not None
 
     @property

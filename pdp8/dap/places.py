@@ -17,7 +17,7 @@ from tapes import codes
 from tapes.errors import WorkError
 
 BYTES = 2
-"""Of a word."""
+"""Bytes of a word."""
 _LISTING = 1
 """The editor's reference for the listing of a tape."""
 

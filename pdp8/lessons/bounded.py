@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 SECONDS = 10
-"""Of processor time, for each answer."""
+"""Seconds of processor time for each answer."""
 MEMORY = 512 << 20
 """Bytes that marking an answer may take beyond what the command has."""
 LARGEST = 1 << 20

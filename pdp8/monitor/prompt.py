@@ -35,18 +35,18 @@ class Monitor:
         self.say = say
         self.listing = listing or Listing()
         self.dialect = FOUND
-        """That of PAL source which is loaded."""
+        """The dialect of PAL source that is loaded."""
         self.finished = False
         self.stopping = False
         """Set to end a run as the STOP key does."""
         self.live: Callable[[float], Stop] | None = None
         """Runs for so many seconds with a terminal as the Teletype, if there is one."""
         self.realtime = False
-        """Whether that is at the pace of 1971."""
+        """Whether `live` runs at the pace of 1971."""
         self.echo: Callable[[str], object] = lambda line: None
         """Takes each line of a script that is read within another."""
         self.depth = 0
-        """How many of them are being read."""
+        """How many scripts are being read, each within another."""
         self.goto = ""
         """The label to which the script jumps after this line, if any."""
         self.punching: dict[str, str] = {}

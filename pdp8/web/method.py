@@ -27,7 +27,7 @@ from tapes.hydrapoint import Preparatory
 
 CENTRE = 4000
 RADIUS = 1750
-"""Of the path of the cutter's centre, in the listing of Appendix C."""
+"""The radius of the path of the cutter's centre in the listing of Appendix C."""
 
 SLOPE = [Point(4000, 4000), Point(8330, 6500)]
 """Chapter 3's slope, 30 degrees and 5 in long."""

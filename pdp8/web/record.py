@@ -36,7 +36,7 @@ _USUAL = "circle"
 _READ = ("bin.rim", "eia.bin")
 """The tapes of the afternoon's programs."""
 _POINTS = 360
-"""Of the nominal curve."""
+"""Points of the nominal curve."""
 _CLOSE = 250.0
 """Thousandths along the curve that are looked at to either side of its worst place."""
 

@@ -23,7 +23,7 @@ UNSEEN = "its sprocket hole is not seen"
 TRACKS = np.array([-3, -2, -1, 1, 2, 3, 4, 5], dtype=float)
 """Channels 1 to 8, in pitches from the sprocket track."""
 _SPROCKET = 3
-"""Its number among the tracks from channel 1 to channel 8."""
+"""The sprocket track's number among the tracks from channel 1 to channel 8."""
 _WINDOW = 8
 _LEAST_LIGHT = 6
 

@@ -10,7 +10,7 @@ from tapes.photograph.sheet import Sheet
 from tapes.photograph.sprockets import Sizes
 
 SAMPLES = 12
-"""Of a pitch."""
+"""Samples in a pitch."""
 
 _REACH = 8
 """Pitches from the sprocket track to each side that are flattened."""

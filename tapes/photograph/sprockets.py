@@ -32,7 +32,7 @@ _AFTER_GAP = 4
 """So many holes in a row have to follow a gap of more than two."""
 _REACH = 0.32
 _SAMPLES = 10
-"""Of a row's distance, where a hole is measured."""
+"""Samples in the distance of two rows, where a hole is measured."""
 
 
 class Row(NamedTuple):

@@ -20,7 +20,7 @@ from pdp8 import shelf
 from tapes.errors import WorkError, called, visible
 
 _NAMED = 6
-"""Files in a folder that are named one by one."""
+"""At most so many files in a folder are named one by one."""
 _IMPORTING = "<frozen importlib._bootstrap>"
 _HELP = ["-h", "--help"]
 _NO_CLOBBER = "pdp8.cli.shared.command.no_clobber"

@@ -7,7 +7,7 @@
 
 Blanks separate names; one of those that an option `needs` is enough. An argument's name is in capitals; `=`
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
-file, with status 2; a value that differs with the tape that is read is refused by the command itself.
+file, with status 2; what depends on the tape that is read is checked by the command itself.
 
 `declared` hands a command its options as dataclasses, whose fields declare them:
 

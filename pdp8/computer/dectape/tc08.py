@@ -102,7 +102,7 @@ class TC08(BreakDevice):
         self.block = 0
         """The block of the event, counted in the direction of motion."""
         self.word = 0
-        """The word, or the group of four lines, of the event, counted likewise."""
+        """The word, or the group of four lines, of the event, counted in the same direction."""
         self.over = 0
         """Whether WC has overflowed."""
         self.late = NEVER

@@ -49,7 +49,7 @@ class Extension:
             raise ValueError(f"{size} words of core: {', '.join(f'{each}' for each in SIZES)} are allowed")
         self.size = size
         self.field = 0
-        """That of the last cycle."""
+        """The field of the last cycle."""
         self.inst_field = self.data_field = self.inst_buffer = 0
         """IF, DF, IB."""
         self.saved_inst = self.saved_data = 0

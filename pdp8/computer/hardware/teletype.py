@@ -59,7 +59,7 @@ _MARKER = 0o400
 # The receiver's clock, in pulses: eight a unit.
 UNIT = 8
 PULSES = 11 * UNIT
-"""In a frame."""
+"""Pulses of the receiver's clock in a frame."""
 FIRST_SHIFT = 3
 """From ACTIVE to the first shift; eight more follow, a unit apart."""
 NINTH_SHIFT = FIRST_SHIFT + 8 * UNIT
@@ -187,7 +187,7 @@ class Receiver(Device):
         self.active = 0
         """Set from PRESET to the ninth shift."""
         self.shifts = 0
-        """How many there were since PRESET."""
+        """How many shifts there were since PRESET."""
         self.origin = 0
         """The tick from which the pulses of the clock are counted."""
         self.pulses = 0
@@ -453,7 +453,7 @@ class Transmitter(Device):
         self.selected = 0
         """The data units it has taken."""
         self.ahead = 0
-        """How many of its next frames the printer was let finish ahead of their time."""
+        """How many of the next frames the printer has finished already, beside a halted processor."""
         self.lost = 0
         """How many characters were loaded over another since START, the first at `lost_at`."""
         self.lost_at = 0
@@ -543,7 +543,7 @@ class Transmitter(Device):
         return line
 
     def finish(self) -> None:
-        """Print and punch what is on the line, as beside a halted processor; flag and line keep time."""
+        """Print and punch what is on the line, as the processor is halted; flag and line keep times."""
         line = self.line()
         frames = 0
         while (time := line.next_step()) < NEVER:

@@ -63,7 +63,7 @@ class DF32(BreakDevice):
     def __init__(self) -> None:
         super().__init__()
         self.words = array("H", bytes(2 * DISC))
-        """Those of one to four discs."""
+        """The words of one to four discs."""
         self.locks = 0
         """The switches WLS, the first in the lowest bit."""
         self.at = 0

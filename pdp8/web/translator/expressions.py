@@ -54,7 +54,7 @@ _FORMATS = {
     "float": rf"\+?(?:{_WIDTH},(?:{_PLACES}f)?|0?{_WIDTH}(?:{_PLACES}[fg])?)",
     "any number": rf"\+?0?{_WIDTH}{_PLACES}[fg]",
 }
-"""The formats that the runtime has, {} for what is formatted within them."""
+"""The formats that the runtime has; {} is a value that is put into the format."""
 MOST = 1 << 53
 """From here on not every whole number is a float."""
 _LISTS = ("list", "tuple", "row", "sequence", "str", "bytes", "bytearray")
