@@ -16,7 +16,7 @@ from collections.abc import Collection
 from typing import Final
 
 from tapes import frames as strip
-from tapes.code import MOSTLY, Characters, Row, Rule, lengths, lines_of, nearly_all, unended
+from tapes.code import MOSTLY, Characters, Row, Rule, lined, lines_of, nearly_all
 from tapes.errors import TapeError, TextError
 
 CR, LF, RUBOUT = 0o015, 0o012, 0o177
@@ -117,9 +117,7 @@ class _Ascii(Characters):
         """Return parity, lines and line ends."""
         codes = frames.translate(strip.PARITIES["none"])
         returns, feeds = codes.count(CR), codes.count(LF)
-        lines = decode(frames).split("\n")
-        rest = lines.pop()
-        held = f"{len(lines):,}{lengths(map(len, lines), 'characters')}{unended(rest, 'characters')}"
+        held = lined([len(line) for line in decode(frames).split("\n")], "characters")
         pieces = _parities(frames, ())
         rows = [("parity", said(pieces) if pieces else "mixed"), ("lines", held)]
         if returns or feeds:

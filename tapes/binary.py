@@ -40,10 +40,10 @@ from tapes.frames import (
     label_before,
     leader,
     missing_leader,
+    no_trailer,
     skip,
     starts,
 )
-from tapes.quantities import counted
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -197,7 +197,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
         closing = _checksum_at(frames, items) if damage else 0
         if closing:
             sections.append(_close(items[: closing + 1]))
-            notes = (*notes, _no_trailer(len(frames) - items[closing].frame - 2))
+            notes = (*notes, no_trailer(len(frames) - items[closing].frame - 2, "checksum"))
             break
         if sections and _is_label(frames, at, items, end if damage else -1):
             labels = [*(label for label in labels if label.start < at), range(at, len(frames))]
@@ -220,10 +220,6 @@ def _checksum_at(frames: bytes, items: list[Item]) -> int:
             return number
         computed += _frames_of(kind, value)
     return 0
-
-
-def _no_trailer(rest: int) -> str:
-    return "no trailer" + (f"; {counted(rest, 'frames')} after the checksum, left out" if rest else "")
 
 
 def _first_kind(items: Iterable[Item]) -> str:

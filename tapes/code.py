@@ -1,11 +1,6 @@
-"""What is known of a tape code, in one object; `codes.CODES` lists them.
+"""What is known of a tape code, in one object; `codes.CODES` lists them."""
 
-Code         a code in which no frame says anything: of a blank tape, of one that no code fits
-Characters   a code of characters: ascii.ASCII, eia.EIA
-Words        a format of words for core, in loaders.py: BIN, RIM
-"""
-
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection
 from typing import Final, NamedTuple
 
 from tapes.frames import BLANK, CHANNEL_8, LABEL_GAP, skip
@@ -38,7 +33,7 @@ class Rule(NamedTuple):
 
 
 class Code:
-    """A tape code.
+    """A tape code; of this class itself, one in which no frame says anything.
 
     name      as the options --code and --to take it
     title     as `pdp8 tape info` calls it
@@ -185,14 +180,13 @@ def nearly_all(frames: bytes, of: bytes) -> bool:
     return not frames or 1 - len(frames.translate(None, of)) / len(frames) >= 0.9
 
 
-def lengths(counts: Iterable[int], unit: str) -> str:
-    """Return the range of some lengths: " of 19 characters", " of 1 to 3 characters"."""
-    found = sorted(set(counts))
-    if not found:
-        return ""
-    return f" of {counted(found[0], unit)}" if len(found) == 1 else f" of {found[0]} to {found[-1]} {unit}"
-
-
-def unended(rest: str | bytes, unit: str) -> str:
-    """Return what follows the last line or block of a tape: ", then 3 frames without an end", or ""."""
-    return f", then {counted(len(rest), unit)} without an end" if rest else ""
+def lined(counts: list[int], unit: str) -> str:
+    """Say how many lines or blocks are on a tape, of which lengths, and the last of `counts`, which no end
+    follows: "2 of 19 frames, then 3 frames without an end".
+    """
+    ended, rest = counts[:-1], counts[-1]
+    said = f"{len(ended):,}"
+    if ended:
+        least, most = min(ended), max(ended)
+        said += f" of {counted(least, unit)}" if least == most else f" of {least} to {most} {unit}"
+    return said + f", then {counted(rest, unit)} without an end" * (rest > 0)

@@ -8,14 +8,12 @@
 |oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it
 """
 
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 from tapes import spelled
+from tapes.spelled import is_number
 from tapes.text import in_ascii, lines_of
 
-_OCTAL: Final = "01234567"
-_HEX: Final = "0123456789abcdefABCDEF"
-_BINARY: Final = "01"
 _FEWEST = 8
 _DRAWN = 9  # columns: eight channels and the sprocket hole
 _BESIDE = ("|", "/", "  >")
@@ -90,15 +88,10 @@ def _drawn(lines: list[str]) -> bytes:
     return bytes(frames)
 
 
-def _is_number(text: str, digits: str, least: int, most: int) -> bool:
-    """Whether a text is a number of so many digits."""
-    return least <= len(text) <= most and not text.strip(digits)
-
-
 def _row(line: str) -> _Row:
     address, colon, data = line.partition(":")
     address = address.strip()
-    if line.strip() == "*" or (colon and _is_number(address, _HEX, 1, 16)):
+    if line.strip() == "*" or (colon and is_number(address, 16, 1, 16)):
         data = data.strip().partition("  ")[0]
     else:
         address, data = "", line
@@ -123,7 +116,7 @@ def _addressed(rows: list[_Row]) -> list[_Row]:
     with_numbers = [row for row in rows if row.numbers]
     others = [len(number) for row in with_numbers for number in row.numbers[1:]]
     least = max(6, max(others) + 1) if others else 99
-    if not all(_is_number(row.numbers[0], _HEX, least, 16) for row in with_numbers):
+    if not all(is_number(row.numbers[0], 16, least, 16) for row in with_numbers):
         return rows
     return [_Row(row.numbers[0], row.numbers[1:]) if row.numbers else row for row in rows]
 
@@ -132,13 +125,13 @@ def _notation(numbers: list[str], words: bool) -> str:
     """Return the notation that all numbers have, or ""; with `words` a number may be of two frames."""
     if not numbers:
         return ""
-    if all(_is_number(number, _BINARY, 8, 8) for number in numbers):
+    if all(is_number(number, 2, 8, 8) for number in numbers):
         return "binary"
-    if all(_is_number(number, _OCTAL, 3, 3) and number[0] < "4" for number in numbers):
+    if all(is_number(number, 8, 3, 3) and number[0] < "4" for number in numbers):
         return "octal"
-    if words and all(_is_number(number, _OCTAL, 6, 6) and number[0] < "2" for number in numbers):
+    if words and all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
         return "octal words"
-    if not all(_is_number(number, _HEX, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
+    if not all(is_number(number, 16, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
         return ""
     return "hexadecimal words" if words and all(len(number) == 4 for number in numbers) else "hexadecimal"
 
@@ -164,7 +157,7 @@ def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
         if row.address == "*":
             repeats = True
             continue
-        if not row.address or row.address.strip(_OCTAL if base == 8 else _HEX):
+        if not is_number(row.address, base, 1, 16):
             return b""
         at = int(row.address, base=base)
         while repeats and last and len(placed) < at:

@@ -18,7 +18,7 @@ from collections.abc import Collection
 from itertools import pairwise
 from typing import Final
 
-from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lengths, lines_of, nearly_all, unended
+from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lined, lines_of, nearly_all
 from tapes.errors import TapeError, TextError
 from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, channels, paper_end, skip
 
@@ -128,16 +128,10 @@ class _Eia(Characters):
         """Return blocks and parity."""
         codes = frames.strip(bytes([BLANK]))
         ends = [at for at, code in enumerate(codes, 1) if code == EOB]
-        counts = (end - begin for begin, end in pairwise([0, *ends]))
-        rest = codes[ends[-1] :] if ends else codes
-        whole = not codes.translate(None, _FITTING)
-        return [
-            ("blocks", f"{len(ends):,}{lengths(counts, 'frames')}{unended(rest, 'frames')}"),
-            (
-                "parity",
-                "odd in every frame; every frame an EIA code" if whole else "odd, but not in every frame",
-            ),
-        ]
+        counts = [end - begin for begin, end in pairwise([0, *ends, len(codes)])]
+        every = not codes.translate(None, _FITTING)
+        odd = "odd in every frame; every frame an EIA code" if every else "odd, but not in every frame"
+        return [("blocks", lined(counts, "frames")), ("parity", odd)]
 
     def gaps(self, frames: bytes) -> tuple[range, ...]:
         """Return the runs of blank tape between characters; none on a tape whose zeros are blank."""

@@ -148,11 +148,8 @@ class _Reader:
         """Raise WorkError for the text at `start`, or the next one."""
         self._skip()
         start = self._at if start is None else start
-        said = (
-            repr(self._text[start : max(self._at, start + 1)].rstrip())
-            if start < len(self._text)
-            else "the end"
-        )
+        found = self._text[start : max(self._at, start + 1)].rstrip()
+        said = repr(found) if found else "the end"
         hint = "; a power is written **" if said == "'^'" else ""
         raise WorkError(f"column {start + 1}: {said} is not an expression in x: {LANGUAGE}{hint}")
 

@@ -15,6 +15,7 @@ RS-227.
 from typing import NamedTuple
 
 from tapes.errors import TapeError
+from tapes.quantities import counted
 
 BLANK = 0o000
 LEADER = 0o200  # leader and trailer of DEC's loader formats
@@ -75,11 +76,6 @@ def parity(frames: bytes) -> str:
 def leader(length: int = LEADER_LENGTH) -> bytes:
     """Return `length` frames of DEC's leader and trailer code, 0o200."""
     return bytes([LEADER]) * length
-
-
-def blank(length: int) -> bytes:
-    """Return `length` frames with no hole but the sprocket's."""
-    return bytes(length)
 
 
 def strip(frames: bytes, code: int = LEADER) -> Strip:
@@ -182,6 +178,11 @@ def missing_leader(frames: bytes, start: int) -> tuple[str, ...]:
     if start == len(frames) or frames[start] >= LEADER:
         return ()
     return (f"{start:,} blank frames instead of leader, passed over" if start else "no leader",)
+
+
+def no_trailer(rest: int, last: str) -> str:
+    """Say that a loader tape has no trailer, and that `rest` frames after its `last` item are left out."""
+    return "no trailer" + f"; {counted(rest, 'frames')} after the {last}, left out" * (rest > 0)
 
 
 def channels(frame: int) -> tuple[int, ...]:

@@ -10,7 +10,7 @@ Sources: CCITT Recommendation F.1, International Telegraph Alphabet No. 2.
 from collections.abc import Collection
 from typing import Final
 
-from tapes.code import MOSTLY, Characters, Row, Rule, lengths, nearly_all, unended
+from tapes.code import MOSTLY, Characters, Row, Rule, lined, nearly_all
 from tapes.errors import TextError
 from tapes.frames import BLANK, skip
 
@@ -75,10 +75,7 @@ class _Ita2(Characters):
 
     def report(self, frames: bytes) -> list[Row]:
         """Return the count of lines."""
-        lines = self.decode(frames).split("\n")
-        rest = lines.pop()
-        held = f"{len(lines):,}{lengths([len(line) for line in lines], 'characters')}"
-        return [("lines", f"{held}{unended(rest, 'characters')}")]
+        return [("lines", lined([len(line) for line in self.decode(frames).split("\n")], "characters"))]
 
 
 def _shifted(frames: bytes) -> list[str]:

@@ -251,8 +251,4 @@ def _date(date: int) -> str:
 
 def _some(entries: Sequence[Entry]) -> str:
     names = [each.name for each in entries if each.name]
-    return (
-        ", ".join(names[:8]) + (f" and {len(names) - 8} more" if len(names) > 8 else "")
-        if names
-        else "no file"
-    )
+    return ", ".join(names[:8]) + f" and {len(names) - 8} more" * (len(names) > 8) or "no file"

@@ -36,7 +36,5 @@ def ranges(addresses: Iterable[int]) -> str:
             runs[-1][1] = address
         else:
             runs.append([address, address])
-    return (
-        ", ".join(f"{first:04o}-{last:04o}" if last > first else f"{first:04o}" for first, last in runs)
-        or "none"
-    )
+    said = [f"{first:04o}-{last:04o}" if last > first else f"{first:04o}" for first, last in runs]
+    return ", ".join(said) or "none"

@@ -34,6 +34,7 @@ from tapes.frames import (
     label_before,
     leader,
     missing_leader,
+    no_trailer,
     paper_end,
     skip,
     starts,
@@ -148,9 +149,7 @@ def _ending(frames: bytes, end: int) -> list[str]:
     if rest.startswith(bytes([LEADER])):
         more = len(rest.strip(bytes([BLANK, LEADER])))
         return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)
-    return [
-        "no trailer" + (f"; {counted(len(rest), 'frames')} after the last word, left out" if rest else "")
-    ]
+    return [no_trailer(len(rest), "last word")]
 
 
 def _after_trailer(frames: bytes, at: int) -> bool:

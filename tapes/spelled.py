@@ -85,9 +85,14 @@ def _tokens(line: str) -> list[str]:
     return line.strip().removeprefix("sim>").split()
 
 
+def is_number(text: str, base: int, least: int, most: int) -> bool:
+    """Whether a text is a number of so many digits."""
+    return least <= len(text) <= most and not text.lower().strip(_DIGITS[:base])
+
+
 def _number(text: str, base: int, least: int, most: int) -> int:
     """Return a number of so many digits. Raises ValueError for anything else."""
-    if not least <= len(text) <= most or text.lower().strip(_DIGITS[:base]):
+    if not is_number(text, base, least, most):
         raise ValueError
     return int(text, base)
 

@@ -8,7 +8,7 @@ o   o  o o o
 from typing import Final
 
 from tapes.errors import TextError
-from tapes.frames import BLANK, blank
+from tapes.frames import BLANK
 
 GAP: Final = 20
 """Blank frames between a title and the text."""
@@ -32,14 +32,14 @@ def punch(text: str) -> bytes:
     for at, letter in enumerate(text.upper()):
         if letter != " " and letter not in _FONT:
             raise TextError(f"{letter!r} cannot be punched for the eye: {''.join(_FONT)}", text, at)
-        frames += blank(3) if letter == " " else _FONT[letter] + blank(1)
-    return bytes(frames) + blank(GAP)
+        frames += bytes(3) if letter == " " else _FONT[letter] + bytes(1)
+    return bytes(frames) + bytes(GAP)
 
 
 def read(frames: bytes) -> str:
     """Return the title in letters of `punch`, "" for other letters."""
     words = []
-    for word in frames.strip(blank(1)).split(blank(4)):
+    for word in frames.strip(bytes(1)).split(bytes(4)):
         letters = [_LETTERS.get(columns, "") for columns in word.split(bytes([BLANK])) if columns]
         words.append("".join(letters) if all(letters) else "")
     return " ".join(words) if all(words) else ""

@@ -422,7 +422,7 @@ def punch(
             text = hydrapoint.typed(text) or text
         punched = _TYPED[code].encode(text.replace(" ", "") if drop_spaces else text, parity, fill)
     letters = eye.punch(title) if title else b""
-    command.put(output, frames.blank(leader) + letters + punched + frames.blank(leader))
+    command.put(output, bytes(leader) + letters + punched + bytes(leader))
 
 
 def _order(_context: click.Context, _option: click.Parameter, value: str) -> tuple[int, ...]:
