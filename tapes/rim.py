@@ -104,7 +104,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
     labels = [*label_before(frames, start)]
     gaps: list[str] = []
     damage: TapeError | None = None
-    while at < len(frames) and damage is None:
+    while at < len(frames):
         if frames[at] >= LEADER:
             after = _passed_over(frames, at)
             letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
@@ -113,26 +113,24 @@ def _read_from(frames: bytes, start: int) -> Reading:
             at = after
             continue
         data = _passed_over(frames, at + 2)
-        damage = _fault(frames, at, 0) or _fault(frames, data, 2)
-        if damage is None:
+        fault = _fault(frames, at, 0) or _fault(frames, data, 2)
+        if fault is None:
             words[(frames[at] & 0o77) << 6 | frames[at + 1]] = frames[data] << 6 | frames[data + 1]
             at = end = data + 2
-        elif words:
-            after = skip(frames, at, BLANK)
-            if _after_trailer(frames, at):
-                damage = None
-                labels += [range(after, len(frames))] * (after < len(frames))
-                break
-            torn = frames[-1] != LEADER  # a last frame of anything; a trailer has no blank tape before it
-            if torn and not frames[end:-1].strip(_AT_THE_END):
-                damage = None
-                break
-            if after > at and frames[after] >> 6 == 1:
-                damage = None
-                gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
-                at = after
+            continue
+        after = skip(frames, at, BLANK)
+        if words and _after_trailer(frames, at):
+            labels += [range(after, len(frames))] * (after < len(frames))
+            break
+        if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
+            break  # torn: a last frame of anything; a trailer has no blank tape before it
+        if not words or not at < after < len(frames) or frames[after] >> 6 != 1:
+            damage = fault
+            break
+        gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
+        at = after
     labelled = label_after(frames, tuple(labels)) is not None
-    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames, end)))
+    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames[end:])))
     return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
 
 
@@ -143,9 +141,8 @@ def _passed_over(frames: bytes, at: int) -> int:
     return at
 
 
-def _ending(frames: bytes, end: int) -> list[str]:
-    """Say what is wrong with the end of a tape, whose last word ends before frame `end`."""
-    rest = frames[end:]
+def _ending(rest: bytes) -> list[str]:
+    """Say what is wrong with the end of a tape, the `rest` after its last word."""
     if rest.startswith(bytes([LEADER])):
         more = len(rest.strip(bytes([BLANK, LEADER])))
         return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)

@@ -219,6 +219,7 @@ def test_what_is_wrong_and_where(frames: bytes, frame: int, message: str) -> Non
         ("200 102 000 073 000 074 002 200", 5, "074 where the first half of an address was expected"),
         ("200 102 000 103 000 200", 3, "103 where a word was expected"),
         ("200 300 000 103 000 200", 2, "000 where the first half of an address was expected"),
+        ("200 102 000 073 000 301 000", 6, "000 where the first half of an address was expected"),
     ],
 )
 def test_what_is_wrong_with_a_rim_tape_and_where(frames: str, frame: int, message: str) -> None:
