@@ -61,9 +61,7 @@ def encode(text: str, parity: str = "mark", fill: int = 6) -> bytes:
 
 
 def decode(frames: bytes) -> str:
-    r"""Return the text, lines ended by "\n" for CR LF, CR or LF; channel 8, blanks, leader and RUBOUTs are
-    ignored.
-    """
+    r"""Return the text, "\n" for CR LF, CR or LF; channel 8, blanks, leader and RUBOUTs are ignored."""
     codes = frames.translate(strip.PARITIES["none"], _SILENT)
     return codes.decode("ascii").replace("\r\n", "\n").replace("\r", "\n")
 
@@ -114,7 +112,6 @@ class _Ascii(Characters):
         return MOSTLY if nearly_all(content, WRITING) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
-        """Return parity, lines and line ends."""
         codes = frames.translate(strip.PARITIES["none"])
         returns, feeds = codes.count(CR), codes.count(LF)
         held = lined([len(line) for line in decode(frames).split("\n")], "characters")
@@ -153,7 +150,6 @@ class _Ascii(Characters):
         return frames.translate(strip.PARITIES["none"]).count(b"\r\n")
 
     def doubt(self, frames: bytes) -> str:
-        """Return that no block will end, if lines end with LF."""
         if ends_blocks(frames):
             return ""
         return (

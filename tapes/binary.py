@@ -142,9 +142,9 @@ def decode(frames: bytes) -> Content:
 def find_damage(reading: Reading) -> TapeError | None:
     """Return the first thing that is wrong with a tape, a wrong checksum included; None for a good one."""
     for section in reading.sections:
-        first = next((item for item in section.items if item.kind != FIELD), None)
-        if first and first.kind == WORD:
-            return TapeError(_NO_ORIGIN, first.frame)
+        begin = first(section.items)
+        if begin.kind == WORD:
+            return TapeError(_NO_ORIGIN, begin.frame)
         if section.computed != section.punched:
             return TapeError(
                 f"checksum: computed {section.computed:04o}, punched {section.punched:04o}", section.frame
@@ -179,7 +179,7 @@ def read_whole(frames: bytes) -> Reading | None:
 
 def _is_whole(section: Section, led: bool) -> bool:
     """Tell whether a tape's first section is certainly valid."""
-    begins = _first_kind(section.items) if section.items or not led else ORIGIN
+    begins = first(section.items).kind if section.items or not led else ORIGIN
     return section.computed == section.punched and begins == ORIGIN
 
 
@@ -222,8 +222,9 @@ def _checksum_at(frames: bytes, items: list[Item]) -> int:
     return 0
 
 
-def _first_kind(items: Iterable[Item]) -> str:
-    return next((item.kind for item in items if item.kind != FIELD), "")
+def first(items: Iterable[Item]) -> Item:
+    """Return the first origin or word, an item of no kind if there is none."""
+    return next((item for item in items if item.kind != FIELD), Item("", 0, 0))
 
 
 def find_apart(frames: bytes, reading: Reading) -> int | None:
@@ -245,7 +246,7 @@ def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
     """Tell whether the frames after a trailer are a label, which is soon `wrong` when read as `items`; a
     section begins with an origin or field after leader, and goes on for longer.
     """
-    if frames[at - 1] != LEADER or _first_kind(items) != ORIGIN:
+    if frames[at - 1] != LEADER or first(items).kind != ORIGIN:
         return True
     return 0 <= wrong < len(frames) and len(items) < _A_SECTION
 

@@ -11,9 +11,8 @@ Sources: DXF reference, AutoCAD R12; geometry as in picture.py.
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from tapes.errors import TapeError
 from tapes.frames import channels
-from tapes.picture import CODE_HOLE, MOST, PITCH, SPROCKET_HOLE, SPROCKET_TRACK, WIDTH, track
+from tapes.picture import CODE_HOLE, PITCH, SPROCKET_HOLE, SPROCKET_TRACK, WIDTH, check_length, track
 
 _MM = 0.0254  # of a thousandth of an inch
 _STRIP = 80
@@ -62,8 +61,7 @@ def dxf(frames: bytes) -> str:
 
 
 def _strips(frames: bytes) -> Iterator[_Strip]:
-    if len(frames) > MOST:
-        raise TapeError(f"{len(frames):,} frames: a drawing has {MOST:,} at most; draw it in pieces")
+    check_length(len(frames))
     for number, start in enumerate(range(0, len(frames), _STRIP)):
         piece = frames[start : start + _STRIP]
         holes = []

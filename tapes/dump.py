@@ -110,9 +110,7 @@ def _unmarked(number: str) -> str:
 
 
 def _addressed(rows: list[_Row]) -> list[_Row]:
-    """Return the lines with their addresses, if each begins with one: longer than all others, six digits or
-    more.
-    """
+    """Return the lines by their addresses, if each begins with one: six digits or more, none as long."""
     with_numbers = [row for row in rows if row.numbers]
     others = [len(number) for row in with_numbers for number in row.numbers[1:]]
     least = max(6, max(others) + 1) if others else 99

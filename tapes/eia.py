@@ -69,9 +69,7 @@ def encode(text: str, skip: str = "") -> bytes:
 
 
 def decode(frames: bytes, blank: str | None = None) -> str:
-    r"""Return the text, EOB as "\n"; a blank frame in the data is `blank`, or else an error, as on most
-    controls. Raises TapeError at the first bad frame.
-    """
+    r"""Return the text, EOB as "\n", a blank inside as `blank`. Raises TapeError at the first bad frame."""
     start = skip(frames, 0, BLANK)
     characters = frames[start : paper_end(frames)].translate(_TO_CHARACTER)
     refused = (_NO_CODE, BLANK) if blank is None else (_NO_CODE,)
@@ -82,9 +80,7 @@ def decode(frames: bytes, blank: str | None = None) -> str:
 
 
 def clean(frames: bytes) -> bytes:
-    """Return only digits, EOBs and the blanks before them, as a second pass through a Flexowriter did
-    (Chapter 5). Raises TapeError if nothing is left.
-    """
+    """Return only digits, EOBs and the blanks before them (Chapter 5). Raises TapeError if none is left."""
     start = skip(frames, 0, BLANK)
     cleaned = frames.translate(None, _NOT_OF_A_BLOCK)
     if start < len(frames) and not cleaned:
@@ -125,7 +121,6 @@ class _Eia(Characters):
         return MOSTLY if nearly_all(frames.translate(None, _NO_WORD), _FITTING) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
-        """Return blocks and parity."""
         codes = frames.strip(bytes([BLANK]))
         ends = [at for at, code in enumerate(codes, 1) if code == EOB]
         counts = [end - begin for begin, end in pairwise([0, *ends, len(codes)])]
@@ -167,7 +162,6 @@ class _Eia(Characters):
         return sum(0 < after - before <= 10 for before, after in pairwise(numbers))
 
     def doubt(self, frames: bytes) -> str:
-        """Return the warning that a program finds no ASCII on this tape."""
         return "is an EIA tape: a program for ASCII finds no character on it"
 
 

@@ -270,9 +270,7 @@ def typed(text: str) -> str | None:
 
 
 def _check_fields(lines: list[str], text: str) -> None:
-    """Raise TextError for the first field of a spreadsheet's program, blocks in more than half of its lines,
-    that has not its digits.
-    """
+    """Raise TextError for the first wrong field of a spreadsheet, blocks in more than half of its lines."""
     tables = [_columns(line) for line in lines]
     full = [_is_program(fields) for fields in tables if "".join(fields).strip()]
     if 2 * full.count(True) <= len(full):

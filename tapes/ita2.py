@@ -70,11 +70,9 @@ class _Ita2(Characters):
         return Rule("ITA2's five channels", lambda _, frame: frame in _FIVE)
 
     def sense(self, frames: bytes) -> float:
-        """Return how many lines end with CR LF."""
         return frames.count(_LINE_END)
 
     def report(self, frames: bytes) -> list[Row]:
-        """Return the count of lines."""
         return [("lines", lined([len(line) for line in self.decode(frames).split("\n")], "characters"))]
 
 

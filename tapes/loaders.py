@@ -1,12 +1,8 @@
 """The two codes of DEC's loaders, BIN and RIM, as tapes: recognised, captioned, reported.
 
-    bin, rim   frames of the formats' classes, as the loaders read them; leader is usual before and after
-
 A RIM tape's groups are address, word; a BIN tape of single words at scattered addresses is origin, word too,
 and differs in what is before the trailer: its checksum. So a tape that reads as both is BIN when its
 checksum is good and it holds a word by that reading; one RIM tape in 4096 is taken for BIN by this.
-
-Formats: binary.py and rim.py.
 """
 
 from collections.abc import Collection, Iterator, Mapping
@@ -46,9 +42,7 @@ class Known(NamedTuple):
 
 
 class Words(Code):
-    """A code of words for core, `by_words` if each has its address. A subclass says how they are punched and
-    read.
-    """
+    """A code of words for core, each with its address if `by_words`. A subclass says how they are read."""
 
     def __init__(self, name: str, title: str, article: str, by_words: bool) -> None:
         super().__init__(name, title, article)
@@ -60,7 +54,10 @@ class Words(Code):
 
     def decode(self, frames: bytes) -> dict[int, int]:
         """Return {address: word}. Raises TapeError with the frame of the damage."""
-        raise NotImplementedError
+        damage = self.damage(frames)
+        if damage is not None:
+            raise damage
+        return self.readable(frames)
 
     def readable(self, frames: bytes) -> dict[int, int]:
         """Return {address: word} of a damaged tape as far as it can be read. Raises TapeError."""
@@ -137,9 +134,6 @@ class _Bin(Words):
     def encode(self, words: Mapping[int, int]) -> bytes:
         return binary.encode(words)
 
-    def decode(self, frames: bytes) -> dict[int, int]:
-        return binary.decode(frames).words
-
     def readable(self, frames: bytes) -> dict[int, int]:
         return binary.content(binary.read(frames)).words
 
@@ -191,16 +185,14 @@ class _Bin(Words):
         return said
 
     def report(self, frames: bytes) -> list[Row]:
-        """Return checksums, counts, addresses, labels and damage."""
         try:
             reading = binary.read(frames)
         except TapeError as error:
             return [("damage", str(error))]
-        first = (reading.sections[0].items if reading.sections else ()) or reading.unended
-        first = tuple(item for item in first if item.kind != binary.FIELD)
-        if first and first[0].kind == binary.WORD:
+        begin = binary.first((reading.sections[0].items if reading.sections else ()) or reading.unended)
+        if begin.kind == binary.WORD:
             said = "a word before any origin. The BIN loader has no address for it; an object tape of FORTRAN"
-            return [("damage", f"frame {first[0].frame}: {said} looks so")]
+            return [("damage", f"frame {begin.frame}: {said} looks so")]
         rows: list[Row] = []
         for section in reading.sections:
             good = section.computed == section.punched
@@ -217,9 +209,8 @@ class _Bin(Words):
         rows += _labels(frames, reading.labels)
         start = binary.find_apart(frames, reading)
         if start is not None:
-            rows.append(
-                ("apart", f"a good section from frame {start} on, after the label: a tape of its own")
-            )
+            apart = f"a good section from frame {start} on, after the label: a tape of its own"
+            rows.append(("apart", apart))
         return rows
 
     def sums_up(self, frames: bytes) -> bool | None:
@@ -229,9 +220,6 @@ class _Bin(Words):
 class _Rim(Words):
     def encode(self, words: Mapping[int, int]) -> bytes:
         return rim.encode(words)
-
-    def decode(self, frames: bytes) -> dict[int, int]:
-        return rim.decode(frames)
 
     def readable(self, frames: bytes) -> dict[int, int]:
         return rim.read(frames).words
@@ -259,7 +247,6 @@ class _Rim(Words):
         return said
 
     def report(self, frames: bytes) -> list[Row]:
-        """Return the count of words, their addresses, labels and damage."""
         try:
             reading = rim.read(frames)
         except TapeError as error:

@@ -32,7 +32,7 @@ SPROCKET_TRACK = 392
 CODE_HOLE = 72
 SPROCKET_HOLE = 46
 
-MOST = 20_000
+_MOST = 20_000
 """Frames of a drawing: some 10 MB."""
 ON_PAPER = 70
 """Frames of a strip that is printed."""
@@ -46,14 +46,12 @@ _LETTER = 54
 
 
 def text(frames: bytes, code: str = "", start: int = 0, stop: int | None = None) -> str:
-    """Return frames `start` up to `stop` as rows with number, octal and caption in the `code` of this name,
-    if any.
-    """
+    """Return frames `start` up to `stop` as rows with number, octal and caption in the code named `code`."""
     rows = [
         "   frame  octal    8 7 6 5 4 . 3 2 1      ^ feed: the top row is read first",
         *(
             f"{number:8}    {frame:03o}  | {' '.join(draw(frame))} |  {caption}".rstrip()
-            for number, frame, caption in _range(frames, code, start, stop)
+            for number, frame, caption in _rows(frames, code, start, stop)
         ),
     ]
     return "".join(row + "\n" for row in rows)
@@ -69,14 +67,16 @@ def svg(
     tracks: bool = False,
 ) -> str:
     """Frames `start` up to `stop` in true size, in strips; `tracks` numbers all nine, as the thesis does."""
-    shown = _shown(frames, code, start, stop)
+    shown = _rows(frames, code, start, stop)
+    check_length(len(shown))
     strips = [shown[at : at + strip] for at in range(0, len(shown), strip)]
     return _drawing(strips, 2 * _MARGIN + PITCH * min(strip, max(len(shown), 1)), tracks)
 
 
 def pages(frames: bytes, code: str, start: int, stop: int | None, paper: str) -> str:
     """Return frames `start` up to `stop` as SVG pages for `paper`: strips of 70 frames with marks to cut."""
-    shown = _shown(frames, code, start, stop)
+    shown = _rows(frames, code, start, stop)
+    check_length(len(shown))
     width, height = area(paper)
     sheets: list[list[list[_Row]]] = [[]]
     for at in range(0, len(shown), ON_PAPER):
@@ -88,11 +88,18 @@ def pages(frames: bytes, code: str, start: int, stop: int | None, paper: str) ->
     return paged(drawings, paper)
 
 
-def _shown(frames: bytes, code: str, start: int, stop: int | None) -> list[_Row]:
-    shown = range(*slice(start, stop).indices(len(frames)))
-    if len(shown) > MOST:
-        raise TapeError(f"{len(shown):,} frames: a drawing has {MOST:,} at most; draw it in pieces")
-    return list(_range(frames, code, start, stop))
+def check_length(count: int) -> None:
+    """Raise TapeError for more frames than a drawing has."""
+    if count > _MOST:
+        raise TapeError(f"{count:,} frames: a drawing has {_MOST:,} at most; draw it in pieces")
+
+
+def _rows(frames: bytes, code: str, start: int, stop: int | None) -> list[_Row]:
+    known = codes.named(code)
+    said = known.captions(frames)
+    for doubt in doubts.find(frames, known):
+        said[doubt.frame] += "  ?" if doubt.likely is None else f"  ? likely {known.caption(doubt.likely)}"
+    return list(zip(range(len(frames)), frames, said, strict=True))[start:stop]
 
 
 def _drawing(strips: list[list[_Row]], width: int, tracks: bool = False, marks: bool = False) -> str:
@@ -128,15 +135,6 @@ _STYLE = """<style>
 text { font: 90px monospace; fill: #222 } .track { text-anchor: end } .count { text-anchor: middle }
 .arrow { fill: #222 }
 </style>"""
-
-
-def _range(frames: bytes, code: str, start: int, stop: int | None) -> Iterator[_Row]:
-    known = codes.named(code)
-    said = known.captions(frames)
-    for doubt in doubts.find(frames, known):
-        said[doubt.frame] += "  ?" if doubt.likely is None else f"  ? likely {known.caption(doubt.likely)}"
-    numbers = range(*slice(start, stop).indices(len(frames)))
-    return ((number, frames[number], said[number]) for number in numbers)
 
 
 def _height(rows: list[_Row]) -> int:

@@ -1,12 +1,8 @@
 """What a tape says of its own frames: which value a doubtful one must have, which way the tape was read.
 
-    ascii      every character has the tape's parity
-    eia        every character has an odd number of holes, and a code
-    rim        an address every four frames, and channel 7 in its first alone
-    bin        the checksum
-
-A value is proposed only if one alone differs least from what was seen, in channels that are in doubt. A rule
-that nine frames in ten obey makes another one doubtful, however sure its holes look.
+Each code has its `rule`, and a BIN tape its checksum. A value is proposed only if one alone differs least
+from what was seen, in channels that are in doubt. A rule that nine frames in ten obey makes another one
+doubtful, however sure its holes look.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -33,9 +29,7 @@ _MOST_CHANNELS = 24
 
 
 def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
-    """Return the values that the tape's rules give its `doubtful` frames, {number: mask}, and which rule;
-    ({}, "").
-    """
+    """Return {number: value} that a rule gives `doubtful` frames, {number: mask}, and which; or ({}, "")."""
     code = codes.recognise(frames)
     if code.sums_up(frames) is not None:
         return _by_checksum(code, frames, doubtful)

@@ -91,7 +91,7 @@ class Reading:
                 (first, frame, name), (last, _, _) = group[0], group[-1]
                 yield (
                     f"frames {first} to {last}: a gap of {len(group)} frames without a sprocket hole, "
-                    f"counted by their distance, at {frame.x}, {frame.y} in {name}"
+                    f"counted by their distance, at {frame.place} in {name}"
                 )
             else:
                 yield from (self._doubt(*one) for one in group if one[1].doubtful)
@@ -118,7 +118,7 @@ class Reading:
                 (start, *_, end) = strip.frames
                 yield (
                     f"frames {first} to {last}: strip {number} of {len(self.strips)}, "
-                    f"from {start.x}, {start.y} to {end.x}, {end.y} in {name}"
+                    f"from {start.place} to {end.place} in {name}"
                 )
             if before and not (self._stitched and first):
                 yield f"the tape may go on before frame {first}, where it leaves {name}"
@@ -136,7 +136,7 @@ class Reading:
 
     def _doubt(self, number: int, frame: Frame, name: str) -> str:
         where = "" if frame.open == 0o377 else f"channel {frame.channel}, "
-        place = f"{where}at {frame.x}, {frame.y} in {name}: {frame.why}"
+        place = f"{where}at {frame.place} in {name}: {frame.why}"
         if number in self.proposed:
             said = f"{self.proposed[number]:03o} by {self.proposed_by}; {frame.holes:03o} was seen"
             return f"frame {number}: {said}: {place}"

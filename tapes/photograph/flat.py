@@ -19,9 +19,7 @@ BEYOND = 3.5
 
 
 class Flat(NamedTuple):
-    """A sheet as if flat, SAMPLES a pitch, from row -BEYOND and track -`reach` on; `dark`: relative to the
-    paper.
-    """
+    """A sheet as if flat, SAMPLES a pitch, from row -BEYOND, track -`reach`; `dark` relative to the paper."""
 
     light: Array
     dark: Array

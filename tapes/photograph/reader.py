@@ -1,16 +1,9 @@
 """A photograph or scan of tape becomes frames.
 
-    light        the file as shades of grey                                       (pixels.py)
-    rows         small round holes in a row, followed one by one                  (sprockets.py)
-    paper        a sheet around such a row, with holes and edges at their places  (paper.py)
-    cells        how dark each place of a hole is, and what makes it doubtful      (cells.py)
-
 A strip with more doubtful frames than the sure ones can carry is left out.
 
 Not emulated: holes with hanging chad are doubtful, not mended; five-channel tape is refused. Tape seen from
 below looks like another tape seen from above: `underside` has to say so.
-
-Needs OpenCV, the extra `vision`. Source: ECMA-10.
 """
 
 from typing import NamedTuple
@@ -69,20 +62,13 @@ class Frame(NamedTuple):
         return (self.open & -self.open).bit_length()
 
     @property
-    def x(self) -> int:
-        """Its sprocket hole's place, in pixels from the left."""
-        return self.places[0][0]
-
-    @property
-    def y(self) -> int:
-        """Its sprocket hole's place, in pixels from the top."""
-        return self.places[0][1]
+    def place(self) -> str:
+        """Its sprocket hole's place, in pixels from the left and from the top."""
+        return "{}, {}".format(*self.places[0])
 
 
 class Strip(NamedTuple):
-    """A strip of tape: its frames, whether the tape leaves the picture at either end, why it is unreadable or
-    "".
-    """
+    """A strip: its frames, whether the tape leaves the picture at either end, why it is unreadable or ""."""
 
     frames: list[Frame]
     off: tuple[bool, bool] = (False, False)

@@ -39,9 +39,7 @@ Strips = Mapping[int, Sequence[Frame]]
 
 
 class Piece(NamedTuple):
-    """A part of the tape: its frames with the strip that shows each, and where each strip begins, {number:
-    frame}.
-    """
+    """A part of the tape: its frames, each with the strip that shows it, and {strip: where it begins}."""
 
     frames: list[tuple[Frame, int]]
     begins: dict[int, int]
@@ -111,9 +109,7 @@ def _seen(strips: Strips) -> dict[int, _Seen]:
 
 
 class _Match(NamedTuple):
-    """The agreeing bits at the best shift and at any other; which are enough; which shifts fit, from
-    `longest` on.
-    """
+    """Agreeing bits at the best shift and at any other; shifts with enough; which fit, from `longest` on."""
 
     said: float
     other: float

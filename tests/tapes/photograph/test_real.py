@@ -58,7 +58,8 @@ def picture(file: Path) -> Array:
 
 def outside(strip: Strip, light: Array) -> list[tuple[int, int]]:
     high, wide = light.shape[:2]
-    return [(frame.x, frame.y) for frame in strip.frames if not (0 <= frame.x < wide and 0 <= frame.y < high)]
+    places = [frame.places[0] for frame in strip.frames]
+    return [(x, y) for x, y in places if not (0 <= x < wide and 0 <= y < high)]
 
 
 @pytest.mark.parametrize("name", STRIPS)
