@@ -85,8 +85,9 @@ faults: .venv/ready-check ## put each fault of tests/faults/ into a copy; a test
 PACKAGE ?=
 SAMPLE ?= 0
 .PHONY: mutants
-mutants: .venv/ready-check ## change one thing at a time; list what no test finds (PACKAGE=nc SAMPLE=300 SINCE=main)
-	nice $(BIN)/python -m tests.mutation $(PACKAGE) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc)
+mutants: .venv/ready-check ## change one thing at a time; list what no test finds (PACKAGE=nc|page SAMPLE=300 SINCE=main)
+	$(if $(filter page,$(PACKAGE)),,nice $(BIN)/python -m tests.mutation $(PACKAGE) --sample $(SAMPLE) $(if $(SINCE),--since $(SINCE)) -j $(shell nproc))
+	$(if $(filter-out page,$(PACKAGE))$(SINCE),,nice $(BIN)/python -m tests.mutation.scripts --fast --sample $(SAMPLE) -j $(shell nproc))
 
 COUNT ?= 100000
 .PHONY: fuzz

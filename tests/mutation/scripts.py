@@ -26,7 +26,7 @@ from tests.pdp8.web.node import NODE, modules
 
 WEB = "pdp8/web"
 TESTS = {
-    "bench": ["again", "workbench", "desk", "looked", "model", "page", "controls"],
+    "bench": ["again", "drives", "workbench", "desk", "looked", "model", "page", "controls"],
     "room": ["again", "looked", "room", "model", "touch"],
     "curve": ["again", "looked", "curve"],
     ".": ["again", "looked", "workbench", "desk", "room", "curve", "model"],

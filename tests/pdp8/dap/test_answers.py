@@ -4,6 +4,7 @@ import base64
 import os
 from io import BytesIO
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -385,3 +386,10 @@ def test_a_field_takes_numbers_up_to_its_greatest(kind: Any, text: str, given: i
             scopes._given("field", kind, text)
     else:
         assert scopes._given("field", kind, text) == given
+
+
+def test_a_routine_has_its_name_or_its_address(program: str) -> None:
+    monitor, _ = Launch.of({"program": [program]}).ready(lambda line: None)
+    debuggee: Any = SimpleNamespace(monitor=monitor)
+    names = [scopes._routine(debuggee, entry) for entry in (None, 0, 0o300, 0o17)]
+    assert names == ["main program", "interrupt", "SUB", "0017"]

@@ -182,9 +182,12 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
         ("disconnect", {}, ""),
     ]
     requests = [{"type": "request", "command": name, "arguments": given} for name, given, _ in asked]
-    done = run("pdp8", "dap", stdin=framed({}, *requests), folder=tmp_path)
+    done = run("pdp8", "dap", stdin=framed({"type": "event"}, *requests), folder=tmp_path)
     assert done.stderr == b""
-    said = [answer.get("message", "") for answer in spoken(done.stdout) if answer["type"] == "response"][1:]
+    none, *said = [
+        answer.get("message", "") for answer in spoken(done.stdout) if answer["type"] == "response"
+    ]
+    assert none == "a request was expected, not 'event' None"
     assert len(said) == len(asked)
     for (name, _, expected), message in zip(asked, said, strict=True):
         assert (expected in message) if expected else message == "", f"{name}: {message}"

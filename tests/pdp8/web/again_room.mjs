@@ -391,4 +391,57 @@ export const cases = {
       [levels, round, shone.filter((place) => !own.has(place)), [...own].filter((place) => !shone.includes(place)), inside, flipped, upside, kinds(rockers), kinds(pictures(0, 0o4001, "start"))],
       [[0, 0, 100, 100, 100], true, [], ["1.700 2.300"], true, [[[], 0], [[], 0]], sides(made[6]), "01122211122345555555", "01122211122344555555"]];
   },
+  "a tape lies with its frame at the head, and ends where its paper does": async () => {
+    const { drawTape, PITCH, TRACKS } = await get("room/tape");
+    const code = { paper: "#fff", caption: String };
+    const rows = (strip, of) => {
+      const { filled } = drawing((c) => drawTape(c, strip, { code, ...of }), 100);
+      const paper = filled.find(([name, , , , , colour]) => name === "fillRect" && colour === "#fff");
+      const pictures = filled.filter(([name]) => name === "picture");
+      const at = pictures.map(([, left, top, right, bottom]) => [left, Math.round((top + bottom) / 2), Math.round(bottom - top), right - left]);
+      return [paper?.slice(1, 5).map(Math.round), at.length, at[0], at.at(-1)];
+    };
+    const frames = new Uint8Array(40).fill(1);
+    const strip = { x: 2, head: 5, from: 0, until: 9 };
+    const seen = [
+      rows(strip, { frames, at: 10 }), rows({ ...strip, way: -1 }, { frames, at: 10 }), rows({ ...strip, from: 4.5, until: 5.5 }, { frames, at: 10 }),
+      rows(strip, { frames, at: 0, last: 3 }), rows(strip, { frames, at: 120 }),
+    ];
+    const { context } = drawing((c) => drawTape(c, strip, { frames: [0o205], code, at: 0 }), 100).filled.at(-1)[5];
+    const holes = context.filled.map(([, left, top, right, bottom]) => [((left + right) / 2 / 128).toFixed(2), ((top + bottom) / 2 / 128).toFixed(2), ((right - left) / 128).toFixed(3)]);
+    const hole = (channel, wide) => [((TRACKS.indexOf(channel) + 1) * PITCH).toFixed(2), "0.05", wide];
+    return [[seen, holes], [
+      [[[200, 165, 300, 645], 40, [200, 600, 10, 100], [200, 210, 10, 100]], [[200, 355, 300, 835], 40, [200, 400, 10, 100], [200, 790, 10, 100]],
+        [[200, 450, 300, 550], 11, [200, 550, 10, 100], [200, 450, 10, 100]], [[200, 435, 300, 545], 3, [200, 500, 10, 100], [200, 480, 10, 100]], [undefined, 0, undefined, undefined]],
+      [hole(8, "0.072"), hole(0, "0.046"), hole(3, "0.072"), hole(1, "0.072")]]];
+  },
+  "the reader's lever is at one end of its slot or the other": async () => {
+    const { drawHeads, drawSign } = await get("room/teletype");
+    const [on, off] = [true, false].map((reading) => drawing((c) => drawHeads(c, reading)).filled);
+    const [slot, up] = on.slice(-2), down = off.at(-1);
+    const signs = ["", "A", "LONG"].map((said) => drawing((c) => drawSign(c, { x: 5, head: 8 }, 0, { caption: () => said })));
+    const cards = signs.map(({ filled, texts: [text] }) => filled.map(([, left, top, right, bottom]) => [left < text[1] && text[1] < right, top < text[2] && text[2] < bottom, right < 5]));
+    return [
+      [crossed(on.slice(0, -1), 0.45), up[2] > slot[2] && up[4] < down[2], down[4] < slot[4], up[1] + up[3] - slot[1] - slot[3] < 0.01, on.length === off.length, cards],
+      [[], true, true, true, true, [[], [Array(3).fill(true)], [Array(3).fill(true)]]]];
+  },
+  "a ruler has a mark each eighth, and a place of the plate is under the spindle": async () => {
+    const { drawCutter, drawMeasured, drawSpindle, drawTable, fitted, lay } = await get("room/mill");
+    const { filled, texts, lines } = drawing((c) => drawMeasured(c, [[1000, 2000], [3250, 2000], [3250, 3125]], "die"));
+    const [across, up] = filled.flatMap(([, , , , , colour], at) => (colour === "#d9d3c2" ? at : []));
+    const labels = texts.map(([text]) => text);
+    const marks = filled.slice(across + 1, up), long = (of, low, high) => of.map((mark) => (mark[high] - mark[low]) / 93.75).map((part) => part.toFixed(1));
+    const place = (tilt) => {
+      let at;
+      drawing((c) => { c.save(); lay(c, 0.002, { x: 4000, y: 5000 }, tilt); at = [c.place(4000, 5000), c.place(4500, 6000)]; c.restore(); });
+      return at.map((each) => each.map((number) => Number(number.toFixed(2))));
+    };
+    const bottoms = [[true, 0], [false, 0], [false, 2]].map(([down, lifted]) => drawing((c) => drawSpindle(c, 0.25, down, 3.3, lifted)).filled[1][4].toFixed(2));
+    const cutter = drawing((c) => drawCutter(c, 0.5, true, 0)).filled;
+    const table = drawing((c) => drawTable(c, { left: 0, right: 100, bottom: 0, top: 50 }, 1)).filled;
+    return [
+      [marks.length, filled.length - up - 1, long(marks, 2, 4).slice(0, 9), labels, lines, fitted({ left: 0, right: 4400, bottom: 0, top: 1000 }), place(1), place(0.5), bottoms, cutter.map((of) => of.slice(1, 5).map((at) => Number(at.toFixed(2)))), table.filter((of) => of[1] < -300 || of[3] > 400).length],
+      [19, 10, ["0.9", "0.4", "0.4", "0.4", "0.6", "0.4", "0.4", "0.4", "0.9"], ["the ideal die", "2.250 by 1.125 inches", "0", "1", "2", "0", "1"], 1, 0.002,
+        [[9.5, 7], [10.5, 5]], [[9.5, 7], [10.5, 6]], ["7.12", "6.10", "4.10"], [[9, 6.5, 10, 7.5], [9, 6.95, 10, 7.05], [9.45, 6.5, 9.55, 7.5]], 0]];
+  },
 };
