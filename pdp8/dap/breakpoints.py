@@ -126,7 +126,7 @@ class Point:
     def _met(self, now: int) -> bool:
         if hits := self.asked.get("hitCondition"):
             number = bisect_left(self._hits, now)
-            return now in self._hits[number : number + 1] and _reached(hits, number + 1)
+            return self._hits[number : number + 1] == [now] and _reached(hits, number + 1)
         return self._condition is None or bool(self._condition())
 
 

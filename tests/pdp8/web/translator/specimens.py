@@ -34,10 +34,16 @@ class Tried(NamedTuple):
     refused: str
 
     @property
+    def place(self) -> str:
+        """Where it is refused; the runtime refuses what is seen too late."""
+        if self.refused:
+            return f"in line {self.refused.partition(':')[0]}"
+        return "as it runs" if (self.javascript or "").startswith("!Untranslated: ") else ""
+
+    @property
     def differs(self) -> bool:
-        """Whether it was accepted and gives something else; the runtime refuses what is seen too late."""
-        refused = self.refused or (self.javascript or "").startswith("!Untranslated: ")
-        return not refused and self.python != self.javascript
+        """Whether it was accepted and gives something else."""
+        return not self.place and self.python != self.javascript
 
 
 def tried(specimens: Mapping[str, str], folder: Path) -> dict[str, Tried]:
