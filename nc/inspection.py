@@ -46,7 +46,7 @@ _TIE = 1e-6
 _LEFT = 0.05
 """Thousandths by which a wall of the curve may be cut from elsewhere on it."""
 _ALONG = 0.1
-"""Part of the radius: a normal that is in a cut for so much longer goes along it."""
+"""A normal that further cuts prolong by more than this part of the radius goes along a side of the part."""
 _EVERY = 8
 _TURNS, _FINE = 50, 16
 """How many of the lowest and highest places are looked at closely, and into how many parts a step goes."""

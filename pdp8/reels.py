@@ -20,7 +20,7 @@ from tapes.quantities import counted
 
 UNITS = range(8)
 _LONGEST = 8 << 20
-"""Bytes: as long as the images of disks, so that one is refused by its name."""
+"""Bytes that are read: enough for the image of a disk, which is then refused by its name."""
 
 
 class Reels:

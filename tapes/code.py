@@ -15,8 +15,9 @@ LABELLED: Final = 0.8
 LED: Final = 0.6
 MOSTLY: Final = 0.4
 PERHAPS: Final = 0.2
-"""How likely a tape is in a code: every frame fits, and so does what only this code has; the same after a
-label; it begins with that code's own leader; nine frames in ten fit; it begins so. 0.0: it is not.
+"""How likely a tape is in a code, from the top: every frame fits, and so does what only this code has; the
+same, but after a label; the tape begins with the code's own leader; nine frames in ten fit; the first frames
+fit. 0.0: it is in another code.
 """
 
 

@@ -28,7 +28,7 @@ LEAST_LEADER = bytes([LEADER]) * 8
 """Leader has at least so many frames of 200 side by side; letters, words and ends of block have fewer."""
 
 LABEL_GAP = bytes([BLANK]) * 3
-"""Between a label and the leader is more blank tape than between what was torn off and its trailer."""
+"""So many blank frames part a label from the leader; fewer are between the end of a tape and its trailer."""
 
 PADDING = bytes([BLANK, 0o012, 0o015, 0o032, 0o212, 0o215, 0o232])
 """What a file may have after a tape's end: blank tape, a line end, ^Z."""

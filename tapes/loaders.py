@@ -102,7 +102,7 @@ class Words(Code):
         return PERHAPS / 2 if frames[0] >> 6 == 1 and fits and steps else 0.0
 
     def _whole(self, frames: bytes) -> float:
-        """Return WHOLE if the loader reads the tape, a little less if that says little, else 0.0."""
+        """Return WHOLE if the loader reads the tape, a little less if that is weak evidence, else 0.0."""
         raise NotImplementedError
 
     def _likelihood(self, frames: bytes) -> float:

@@ -31,7 +31,7 @@ _STYLES: Final = {
 
 
 _COLUMN = 16
-"""Characters of a terminal for each column of a table; a narrower one has paragraphs."""
+"""Characters of a terminal for each column of a table; in a narrower one each row is a paragraph."""
 
 
 @click.group(cls=Group)

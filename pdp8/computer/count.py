@@ -41,7 +41,7 @@ class Count:
         self.ticks = 0
         self.waiting = 0
         self._last: deque[_Executed] = deque(maxlen=_RING)
-        """The instructions before."""
+        """The last instructions, up to `_RING` of them."""
 
     def cycle(self, processor: Processor, interrupt: bool) -> None:
         """Count a memory cycle that has ended, an instruction's or an interrupt's."""

@@ -24,7 +24,7 @@ _TURNS = 500
 _LOOKED_AT = 100_000
 """Instructions in which a changed word is looked for among those that are executed."""
 _CALLS = 1000
-"""Calls after which that is given up: a subroutine's first word changes with each."""
+"""Calls after which the search for it ends: a subroutine's first word changes with each call."""
 
 
 class Outcome(NamedTuple):

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from tapes.errors import WorkError
 
 FRAME = 0xF700
-"""An escape for a code that no character has is this character, and so many more: \\375 is FRAME + 0o375."""
+"""A code without a character, such as \\375, is the character with the number FRAME + 0o375."""
 
 _WORD = re.compile(r'#.*|"((?:\\.|[^"\\])*)("?)|[^\s#]+', re.DOTALL)
 _ESCAPE = re.compile(r"\\([0-3][0-7]{2}|.?)", re.DOTALL)

@@ -20,7 +20,7 @@ _SHORT = {
     "l": "load", "q": "quit", "r": "reset", "ru": "run", "s": "step", "sa": "save", "se": "set", "w": "watch",
     "continue": "cont", "get": "restore", "nobreak": "forget", "bye": "quit",
 }  # fmt: skip
-"""Names that are the beginning of several and mean one, and SIMH's names for ours."""
+"""The command that a short name means if several begin with it; and SIMH's names of our commands."""
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
 """After one of these, `expect` ignores what was printed before."""
 _IF = re.compile(r"(not\s+)?exist\s+(\"[^\"]*\"|\S+)\s+(.*)", re.IGNORECASE)

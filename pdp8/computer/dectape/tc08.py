@@ -58,7 +58,7 @@ REVERSE, GO, CONTINUOUS, ENABLE = 0o400, 0o200, 0o100, 0o4
 ERROR, END, SELECT, PARITY, TIMING, DONE = 0o4000, 0o1000, 0o400, 0o200, 0o100, 0o1
 SEARCH, READ, READ_ALL, WRITE, WRITE_ALL = 1, 2, 3, 4, 5
 HEADER, NUMBER, WORD, CHECKED = 30, 12, 4, 550
-"""Lines: before the words of a block, to the end of its number, of a word, and of the checksum's group."""
+"""Lines of a block: before its words, to the end of its number, of a word, of the checksum's group."""
 FIRST, BESIDE, GROUPS = 2, 7, BLOCK_LINES // WORD
 """The line at which a block's groups of four begin; groups before its words, and in all."""
 
@@ -175,7 +175,7 @@ class TC08(BreakDevice):
         self._flags()
 
     def _command(self, now: int) -> None:
-        """Do what A says."""
+        """Obey status register A."""
         drive, function = self.drive, self.a >> 3 & 7
         self.over = 0
         self._plan(NOTHING, NEVER)
@@ -336,7 +336,7 @@ class TC08(BreakDevice):
         self._ask(1 if reads else 0, 1, now)
 
     def _ask(self, into_core: int, counts_address: int, now: int) -> None:
-        """Raise BRK RQ; it has to be accepted before what is planned."""
+        """Raise BRK RQ; it has to be accepted before the event that is planned."""
         self.into_core, self.counts_address = into_core, counts_address
         self.asked, self.due, self.late = now, now, self.due
 

@@ -40,7 +40,7 @@ RIM_HIGH_SPEED = (
 )
 
 _SLOWER = (
-    "; a loader that takes longer has no limit as a program of its own: "
+    "; a slower loader can run as a program, without a limit: "
     "pdp8 run LOADER --start 7777 --sr 7777 --reader TAPE --save FILE"
 )
 

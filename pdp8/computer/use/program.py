@@ -28,7 +28,7 @@ FOUND, PAL3, PAL8 = "auto", "pal3", "pal8"
 DIALECTS = (FOUND, PAL3, PAL8)
 """Dialects, as `pal.assembly` calls them, which is loaded for a source alone."""
 _SHOWN = 3
-"""Errors of a source."""
+"""Errors of a source that are shown."""
 
 
 class Program:
