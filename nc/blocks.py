@@ -117,9 +117,7 @@ def _first_row(frames: bytes) -> int:
 
 def _head(frame: int) -> int:
     value = frame & HEAD
-    if value == END_OF_BLOCK:
-        return _END
-    return ord("0") + value if value <= 9 else _BAD
+    return _END if value == END_OF_BLOCK else ord("0") + value if value <= 9 else _BAD
 
 
 _SENSED = bytes(_head(frame) for frame in range(0o400))

@@ -29,10 +29,12 @@ class Window:
 
     @property
     def width(self) -> float:
+        """Width in thousandths."""
         return self.right - self.left
 
     @property
     def height(self) -> float:
+        """Height in thousandths."""
         return self.top - self.bottom
 
     def grown(self, across: float, up: float | None = None) -> "Window":

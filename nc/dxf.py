@@ -80,10 +80,9 @@ class _Drawing:
     def __init__(
         self, drawing: "Drawing", path: Path, shift: tuple[float, float], depth: bool, unit: Unit
     ) -> None:
-        self._path, self._shift, self._unit = path, shift, unit
+        self._path, self._shift, self._depth, self._unit = path, shift, depth, unit
         points = [step.modes.feed_point for step in path.steps if step.modes.feed_point is not None]
         self._top = min(points, default=0)
-        self._depth = depth
         self._space = drawing.modelspace()
         drawing.units = unit.dxf
         drawing.header["$MEASUREMENT"] = int(unit is not INCH)
@@ -118,8 +117,7 @@ class _Drawing:
         """Yield the cuts that join end to end at one depth."""
         run: list[Move] = []
         for move in self._path.moves:
-            joins = bool(run) and move.start == run[-1].end
-            if run and not (joins and move.kind is MoveKind.MILL):
+            if run and not (move.start == run[-1].end and move.kind is MoveKind.MILL):
                 yield run
                 run = []
             if move.kind is MoveKind.MILL and move.start != move.end:

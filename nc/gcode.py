@@ -237,11 +237,10 @@ class _Program:
         """Write a straight move along the axes that change, with its feed where that changes."""
         line = code
         for axis, place in enumerate((x, y, z)):
-            if place is None or (word := self._word(place)) == self._at[axis]:
-                continue
-            self._at[axis] = word
-            line += f" {'XYZ'[axis]}{word}"
-            self.low[axis], self.high[axis] = min(self.low[axis], place), max(self.high[axis], place)
+            if place is not None and (word := self._word(place)) != self._at[axis]:
+                self._at[axis] = word
+                line += f" {'XYZ'[axis]}{word}"
+                self.low[axis], self.high[axis] = min(self.low[axis], place), max(self.high[axis], place)
         if line == code:
             return
         if feed is not None:

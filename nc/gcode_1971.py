@@ -20,7 +20,7 @@ from collections.abc import Iterator
 
 from nc.gcode import REVERSING, check_taps, is_tap, tap_feed
 from nc.listing import spaced
-from nc.path import Modes, Move, MoveKind, Path, Position, Step
+from nc.path import Modes, Move, MoveKind, Path, Step
 from nc.unit import INCH, Unit
 from tapes.hydrapoint import Miscellaneous
 
@@ -42,9 +42,7 @@ def gcode_1971(path: Path, pitch: float = 0, unit: Unit = INCH) -> Iterator[str]
         before = step.modes
     if path.steps and path.steps[-1].at.z:
         yield "G0 Z0.0000 (the tape ends here)"
-    yield "M5"
-    yield "M9"
-    yield "M2"
+    yield from ("M5", "M9", "M2")
 
 
 def _numbered(step: Step, lines: list[str]) -> Iterator[str]:
@@ -80,17 +78,12 @@ def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
 
 def _words(move: Move, unit: Unit) -> str:
     """The words of the axes that move; a position has both X and Y, as a controller may start anywhere."""
-    start, end = _signed(move.start), _signed(move.end)
     whole = "XY" if move.kind == MoveKind.POSITION else ""
     return " ".join(
-        f"{axis}{unit.said(to, 4)}"
-        for axis, was, to in zip("XYZ", start, end, strict=True)
+        f"{axis}{unit.said(sign * to, 4)}"
+        for axis, sign, was, to in zip("XYZ", (1, 1, -1), move.start, move.end, strict=True)
         if was != to or axis in whole
     )
-
-
-def _signed(point: Position) -> tuple[float, float, float]:
-    return point.x, point.y, -point.z
 
 
 def _stops(step: Step) -> Iterator[str]:

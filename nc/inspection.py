@@ -199,7 +199,6 @@ def _off(places: Floats, stations: Stations, reach: float) -> Floats:
 
 
 def _groups(stations: Stations) -> Iterator[Stations]:
-    """Yield the stations in groups."""
     for first in range(0, len(stations), _GROUP):
         yield stations.part(slice(first, first + _GROUP))
 

@@ -32,7 +32,8 @@ def talysurf(
     not explain, in thousandths: a shaded band about the trace. Raises WorkError if the stretch has no wall.
     """
     along = inspection.walls.stations.along
-    start, end = stretch or _usual(inspection)
+    first, last = (len(along) // 8, 3 * len(along) // 8) if inspection.curve.closed else (0, -1)
+    start, end = stretch or (along[first], along[last])
     chosen = np.flatnonzero((along >= start) & (along <= end))
     if len(chosen) < 2:
         raise WorkError(
@@ -70,17 +71,9 @@ def _between(across: float) -> float:
     return DIVISION if DIVISION * across >= 4 else _numbered(across)
 
 
-def _usual(inspection: Inspection) -> tuple[float, float]:
-    along = inspection.walls.stations.along
-    if not inspection.curve.closed:
-        return 0.0, float(along[-1])
-    return float(along[len(along) // 8]), float(along[3 * len(along) // 8])
-
-
 def _trace(
     sheet: Sheet, top: float, along: Floats, deviation: Floats, colour: str, background: float
 ) -> None:
-    """Draw one wall in its frame, with its scales."""
     margin = 0.5 + background / 2
     low, high = floor(float(np.nanmin(deviation)) - margin), ceil(float(np.nanmax(deviation)) + margin)
     start, length = float(along[0]), float(along[-1] - along[0])

@@ -354,6 +354,5 @@ def _quotient(over: int, under: int) -> int:
 
 
 def _root(value: Float) -> tuple[int, int]:
-    """The root's mantissa and exponent."""
     odd = value.exponent & 1
     return isqrt(value.mantissa << (_EXTRA + odd)), (value.exponent - odd - _EXTRA) // 2

@@ -15,7 +15,7 @@ or, after "not", with which: "not stop=inside".
 
 import inspect
 import types
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, Literal, NamedTuple, get_args, get_origin, get_type_hints
 
@@ -83,8 +83,11 @@ def constants(program: Callable[..., str]) -> list[Constant]:
     hints = get_type_hints(program, include_extras=True)
     found: list[Constant] = []
     for name, parameter in inspect.signature(program).parameters.items():
-        if is_dataclass(hints[name]):
-            found += _of_fields(parameter.default)
+        if is_dataclass(record := parameter.default):
+            own = get_type_hints(type(record), include_extras=True)
+            found += [
+                _constant(each.name, own[each.name], getattr(record, each.name)) for each in fields(record)
+            ]
         else:
             found.append(_constant(name, hints[name], parameter.default))
     return found
@@ -127,13 +130,6 @@ def _typed(constant: Constant, value: object) -> Any:
     if isinstance(value, tuple | list):
         return constant.keep(" ".join(f"{x},{y}" for x, y in value))
     return constant.keep(str(value))
-
-
-def _of_fields(record: Any) -> Iterator[Constant]:
-    """Yield a constant for each field of a dataclass, with the values of `record`."""
-    hints = get_type_hints(type(record), include_extras=True)
-    for field in fields(record):
-        yield _constant(field.name, hints[field.name], getattr(record, field.name))
 
 
 def _constant(name: str, hint: Any, default: Any) -> Constant:

@@ -54,19 +54,16 @@ class Header:
         ):
             if not 0 <= value <= limit:
                 raise WorkError(f"{name} {value / 1000:g} in is outside the travel: 0 to {limit / 1000:g} in")
-        if self.z_depth < self.z_feed_point:
-            raise WorkError(
-                f"final Z depth {self.z_depth / 1000:g} in is above the Z feed point, "
-                f"{self.z_feed_point / 1000:g} in"
-            )
+        depth, feed_point = self.z_depth / 1000, self.z_feed_point / 1000
+        if depth < feed_point:
+            raise WorkError(f"final Z depth {depth:g} in is above the Z feed point, {feed_point:g} in")
         if self.tool not in CAROUSEL:
             raise WorkError(f"tool {self.tool} is not in the carousel: 1 to {CAROUSEL[-1]}")
         if self.coolant not in COOLANT:
             raise WorkError(f"coolant {self.coolant} must be 7 flood, 8 mist or 9 off")
-        if self.spindle not in SPINDLE:
-            raise WorkError(f"spindle code {self.spindle} is not in Table 2.4: 1 to 18 and 21 to 38")
-        if self.z_feed not in Z_FEED:
-            raise WorkError(f"Z feed code {self.z_feed} is not in Table 2.4: 1 to 18 and 21 to 38")
+        for name, code, known in (("spindle", self.spindle, SPINDLE), ("Z feed", self.z_feed, Z_FEED)):
+            if code not in known:
+                raise WorkError(f"{name} code {code} is not in Table 2.4: 1 to 18 and 21 to 38")
 
     def blocks(self, x: int, y: int) -> Iterator[Block]:
         """The blocks, for a contour that starts at `x`, `y`."""

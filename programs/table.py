@@ -104,7 +104,6 @@ class _Row(NamedTuple):
         return [{_AXIS.sub("", word) for word in _words(cell)} for cell in self.cells]
 
     def error(self, said: str) -> WorkError:
-        """Return an error in this line."""
         return WorkError(f"line {self.number}: {said}")
 
 
@@ -275,7 +274,6 @@ class _Table:
         return _TURNS["rad"]
 
     def points(self, mm: bool) -> Points:
-        """Return the points."""
         places = [self._place(row) for row in self._rows]
         across = max(max(each) - min(each) for each in zip(*places, strict=True))
         if self._unit:

@@ -15,7 +15,6 @@ from typing import Final, NamedTuple
 
 from tapes.errors import WorkError
 
-_MM = 25.4
 _THOUSANDTHS = 3
 """Decimal places from inches to thousandths."""
 
@@ -47,7 +46,7 @@ class Unit(NamedTuple):
         """What is kept for `text`, with or without its unit, to a float's last digit. Raises UnitError."""
         text = text.removesuffix(self.short.strip())
         if self.metavar == "INCHES" and text.endswith("mm"):
-            text = _plain(_moved(text.removesuffix("mm"), 0) / _MM)
+            text = _plain(_moved(text.removesuffix("mm"), 0) / 25.4)
         asked = _moved(text, 0)
         if asked and not self.least <= abs(asked) < self.limit:
             raise UnitError(self._refusal(text, asked))
@@ -63,11 +62,10 @@ class Unit(NamedTuple):
 
     def _refusal(self, text: str, asked: float) -> str:
         bound = f"less than {self.limit:,}" if abs(asked) >= self.limit else f"0, or at least {self.least:,}"
-        refusal = f"{text}{self.short}: must be {bound}{self.short}"
         meant = _moved(text, self.shift)
-        if not self.least <= abs(meant) < self.limit:
-            return refusal
-        return f"{refusal}; for {text} {self.of_another} write {_plain(meant)}"
+        fits = self.least <= abs(meant) < self.limit
+        cure = f"; for {text} {self.of_another} write {_plain(meant)}" if fits else ""
+        return f"{text}{self.short}: must be {bound}{self.short}{cure}"
 
 
 INCHES: Final = Unit("INCHES", " in", limit=100, of_another="thousandths", shift=-3)
