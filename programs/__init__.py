@@ -25,7 +25,7 @@ piecewise        the Piece-wise Linear Technique
 milling          a curve made into blocks, by either
 function         y = f(x) on the table, and the exact path of a cutter beside it
 units            inches as thousandths
-arithmetic       exact, or that of a machine of the day
+arithmetic       exact, or that of a machine of its time
 header           the six blocks that open a tape
 printout         blocks as lines of 19 characters
 format           FORMAT fields

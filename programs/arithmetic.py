@@ -315,7 +315,7 @@ ARITHMETICS: Final[dict[str, Arithmetic]] = {
 }
 """Every arithmetic by its name."""
 WHICH: Final = "the arithmetic of which machine"
-"""What a part's constant of that name means."""
+"""The help of a part's constant `arithmetic`."""
 
 
 _HALF: Final = 1 << 26

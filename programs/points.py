@@ -19,7 +19,7 @@ _CURVED, _SHARPEST = 30, 90
 """Degrees between two sides."""
 _ROUNDING = 1e-6
 _FINE, _LEAST = 0.0005, 0.002
-"""Inches that a line may go back and forth: half a step of the machine; or twice the tolerance and more."""
+"""Inches that a line may go back: up to half a step of the machine, or from twice the tolerance plus this."""
 
 
 def read(text: str) -> list[Place]:

@@ -230,7 +230,7 @@ class Assembly8(Assembly):
         return []
 
     def _of_lines(self) -> list[Note]:
-        """Note the first small letter, and each line with code that DEC's does not read."""
+        """Note the first small letter, and each line with code that DEC's PAL8 does not read."""
         notes = []
         small = False
         for index in range(min(self._run.ended, len(self._lines))):

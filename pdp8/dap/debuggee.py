@@ -75,7 +75,7 @@ class Debuggee:
         self.go_on()
 
     def go_on(self) -> None:
-        """Run on, after something may have been changed."""
+        """Continue the run after a request that may have changed something."""
         machine = self.monitor.machine
         points = Breakpoints() if self.launch.noDebug else self.breakpoints
         goal = self._goal.places(machine) if self._goal else set()

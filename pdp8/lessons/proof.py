@@ -70,7 +70,7 @@ def restated(exercise: Exercise) -> list[tuple[str, Result]]:
 
 @dataclass(frozen=True)
 class Slips:
-    """The number of slips, those tried, and those taken for right: by the seed's luck, or with all seeds."""
+    """How many slips there are and were tried, and those taken for right: with one seed, or with all."""
 
     number: int
     tried: int

@@ -114,7 +114,7 @@ def if_(monitor: Monitor, text: str) -> None:
     """Carry out a command if a file is there, or not there; `assert` has other conditions."""
     found = _IF.fullmatch(text.strip())
     if not found:
-        raise MonitorError("if [not] exist FILE COMMAND expected; assert ends a script unless AC is so")
+        raise MonitorError("if [not] exist FILE COMMAND expected; to test a register there is assert")
     if os.path.exists(found[2].strip('"')) != bool(found[1]):
         do(monitor, found[3])
 

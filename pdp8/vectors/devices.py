@@ -151,7 +151,7 @@ class Devices:
         return min(line, fast.reader_control.due, fast.punch_control.due)
 
     def to(self, tick: int) -> None:
-        """Let everything happen up to and including `tick`."""
+        """Let the devices run up to and including `tick`."""
         self.machine.bus.advance(tick)
         self.machine.processor.clock = tick
 

@@ -147,7 +147,7 @@ def _fitted(
 
 
 def _parsed(text: str) -> dict[str, Any]:
-    """Return the object that a state is."""
+    """Return the JSON object of a saved state."""
     begins = f"a saved state begins with {json.dumps(HEAD)[:-1]}"
     if not text.startswith("{"):
         raise StateError(begins)

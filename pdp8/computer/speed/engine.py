@@ -104,7 +104,7 @@ class Engine:
         """The first address that may not be written: MEM PROT's, or that after the end of core."""
         self.breakpoints: Set[int] = frozenset()
         self.has_breakpoints = False
-        """Whether there are any."""
+        """Whether there are any breakpoints."""
         self.conditions = CONDITIONS
         # Two words past the end of a field wrap the PC, which can overrun by a skip.
         for field in range(processor.extension.size // FIELD):

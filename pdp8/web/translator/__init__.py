@@ -118,7 +118,7 @@ def translated(checked: bool = False) -> dict[str, str]:
 
 @cache
 def declared() -> dict[str, str]:
-    """Return what all modules and the runtime declare for TypeScript, {name: text}, likewise."""
+    """Return what all modules and the runtime declare for TypeScript, {name: text}, from the same cache."""
     sources = _sources()
     content = repr((sources, OMITTED, _own()))
     return dict(kept("declared", content, lambda: declare(sources, OMITTED)))

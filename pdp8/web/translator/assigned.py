@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from pdp8.web.translator.expressions import Expressions
 
 _Names = frozenset[str] | None
-"""The names that have a value; None where nothing comes."""
+"""The names that have a value; None where control never comes."""
 
 
 class Assigned:
@@ -22,7 +22,7 @@ class Assigned:
         self._breaks: list[list[frozenset[str]]] = []
 
     def after(self, body: list[ast.stmt], known: _Names) -> _Names:
-        """Return the names that have a value behind these statements; None if nothing comes there."""
+        """Return the names that have a value after these statements; None if control never comes there."""
         for node in body:
             if known is None:
                 return None

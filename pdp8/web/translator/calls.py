@@ -28,9 +28,9 @@ from pdp8.web.translator.types import (
 _AT_ONCE = (
     "sum", "list", "tuple", "set", "frozenset", "sorted", "join", "dict", "bytes", "bytearray", "max", "min",
 )  # fmt: skip
-"""They take all that a generator yields before anything else happens: it may be a list."""
+"""Functions that take all of a generator before anything else happens: it is written as a list."""
 _UNORDERED = ("set", "frozenset", "sorted", "sum")
-"""What a generator within them runs over may be a set."""
+"""Functions within which a generator may run over a set: its order does not matter."""
 _KINDS = ("int", "float", "bool", "str", "list", "tuple", "bytes", "bytearray", "dict", "slice")
 _UNSURE = {
     "int": {"float", "real", "?"},
@@ -38,7 +38,7 @@ _UNSURE = {
     "list": {"tuple", "row", "sequence", "iterable", "?"},
     "tuple": {"list", "sequence", "iterable", "?"},
 }
-"""The types of which JavaScript cannot say whether they are of a class."""
+"""For each class, the types of which JavaScript cannot say whether they are of that class."""
 
 
 class Calls(Expressions):

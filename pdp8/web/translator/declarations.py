@@ -41,7 +41,7 @@ _CLASSES = {
     "words": "export class Words extends Uint16Array<ArrayBuffer>",
     "dict": "export class Dict<K, V>", "set": "export class PySet<T>",
 }  # fmt: skip
-"""How the runtime has the classes of library.pyi; what JavaScript has is added to."""
+"""How the runtime declares the classes of library.pyi; JavaScript's own classes are extended."""
 _ELSEWHERE = {"dict": ("fromkeys",), "bytes": ("find", "join"), "list": ("index",)}
 """Methods that are static, or that JavaScript's own arrays have with other types."""
 _SIZED = """

@@ -561,7 +561,7 @@ class Types:
                     self.expect(each, wanted.of[0])
 
     def _returned(self, found: Found, call: ast.Call, receiver: Type | None = None) -> Type:
-        """Return what a function of ours or of the table returns, of the first form that fits."""
+        """Return the type that a call of a function returns, by the first of its forms that fits."""
         match call.args:
             case [ast.Constant(str(pattern))] if found.node.name == "compile" and not found.ours:
                 groups = re.compile(pattern).groups
