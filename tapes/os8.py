@@ -47,10 +47,17 @@ class _Place(NamedTuple):
     word: int
     """The first word of the entry in its segment."""
 
+    @property
+    def is_open(self) -> bool:
+        return bool(self.entry.name) and not self.entry.length
+
 
 def directory(image: Image) -> list[Entry]:
-    """Return the files and free places in the order of the tape. Raises TapeError for a damaged directory."""
-    return [place.entry for place in _places(image)]
+    """Return the files and free places in the order of the tape. Raises TapeError for a damaged directory.
+
+    As OS/8's own, it leaves out a file of no blocks: it was opened for output and not closed.
+    """
+    return [place.entry for place in _places(image) if not place.is_open]
 
 
 def listing(image: Image) -> str:
@@ -62,9 +69,10 @@ def listing(image: Image) -> str:
     ]
     free = sum(each.length for each in entries if not each.name)
     files = sum(bool(each.name) for each in entries)
-    return "\n".join(
-        [*rows, f"{files} files in {sum(each.length for each in entries) - free} blocks, {free} free"]
-    )
+    rows.append(f"{files} files in {sum(each.length for each in entries) - free} blocks, {free} free")
+    is_open = [place.entry.name for place in _places(image) if place.is_open]
+    rows += [f"{name} was opened for output and not closed: OS/8 does not list it" for name in is_open]
+    return "\n".join(rows)
 
 
 def words(image: Image, name: str) -> list[int]:
@@ -123,7 +131,7 @@ def insert(image: Image, name: str, packed: Sequence[int], date: int = 0) -> Ima
     called = canonical(name)
     length = max(1, -(-len(packed) // _BLOCK))
     places = _places(image)
-    if any(place.entry.name == called for place in places):
+    if any(place.entry.name == called and not place.is_open for place in places):
         raise TapeError(f"{called} is there already: delete it with OS/8's PIP, or give another name")
     free = [place for place in places if not place.entry.name]
     enough = [each for each in free if each.entry.length >= length]

@@ -78,6 +78,16 @@ def test_a_free_place_in_a_full_segment_is_passed_over() -> None:
     assert (last.name, last.block, free.length) == ("NEW", BLOCK + 46, FREE - 47)
 
 
+def test_a_file_that_was_not_closed_is_none_as_in_os8() -> None:
+    """DIR leaves out FORT.PA of no blocks, which an image of DEC's has, and PIP does not find it."""
+    image = formatted(-2, BLOCK, 0, 0, -1, 0o0617, 0o2224, 0, 0o2001, 0, 0, 0, -FREE)
+    assert [each.name for each in os8.directory(image)] == [""]
+    assert "FORT.PA was opened for output and not closed" in os8.listing(image)
+    with pytest.raises(TapeError, match=r"no file FORT\.PA"):
+        os8.words(image, "FORT.PA")
+    assert os8.directory(os8.insert(image, "FORT.PA", [5]))[0].name == "FORT.PA"
+
+
 def test_a_file_may_fill_the_free_place() -> None:
     image = os8.insert(empty(), "WHOLE", [0] * (FREE * 256))
     assert [(each.name, each.length) for each in os8.directory(image)] == [("WHOLE", FREE)]
