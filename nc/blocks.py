@@ -69,16 +69,14 @@ class BlockError(TapeError):
 
 
 class Row(NamedTuple):
-    """A block's place: its number from 1, the frame of its first row, and all frames if any is skipped."""
+    """A block's place: its number from 1, and the frames of its rows."""
 
     number: int
-    frame: int
-    frames: tuple[int, ...] = ()
+    frames: list[int]
 
     def error(self, row: int, message: str) -> BlockError:
         """Return the BlockError for one of this block's rows, 1 to 20."""
-        frame = self.frames[row - 1] if row <= len(self.frames) else self.frame + row - 1
-        return BlockError(message, frame, self.number, row)
+        return BlockError(message, self.frames[row - 1], self.number, row)
 
 
 def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
@@ -86,22 +84,17 @@ def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
     end = len(frames.rstrip(b"\0"))
     if not end:
         raise TapeError("no row is punched: the tape is empty or blank")
-    if strict:
-        first = frames.find(END_OF_BLOCK) + 1
-        kept = [at for at in range(first, end) if frames[at] != _DELETE]
-        frames = bytes(frames[at] for at in kept)
-        start, end = 0, len(kept)
-        if not end:
-            raise TapeError("no row is read: later controls begin after the first end of block")
-    else:
-        kept = []
-        start = _first_row(frames)
-    sensed = frames.translate(_STRICT if strict else _SENSED)
-    for number, frame in enumerate(range(start, end, ROWS), 1):
-        rows = sensed[frame : frame + ROWS]
-        place = Row(number, kept[frame], tuple(kept[frame : frame + ROWS])) if strict else Row(number, frame)
+    first = frames.find(END_OF_BLOCK) + 1 if strict else _first_row(frames)
+    kept = [at for at in range(first, end) if not (strict and frames[at] == _DELETE)]
+    if not kept:
+        raise TapeError("no row is read: later controls begin after the first end of block")
+    passed = bytes(frames[at] for at in kept)
+    sensed = passed.translate(_STRICT if strict else _SENSED)
+    for number, at in enumerate(range(0, len(kept), ROWS), 1):
+        rows = sensed[at : at + ROWS]
+        place = Row(number, kept[at : at + ROWS])
         if len(rows) < ROWS or rows[-1] != _END or not rows[:-1].isdigit():
-            raise _fault(place, frames[frame : frame + ROWS], rows, strict)
+            raise _fault(place, passed[at : at + ROWS], rows, strict)
         found = block(rows[:-1])
         _check(place, found)
         yield place, found

@@ -112,7 +112,7 @@ class HydraPoint:
         self.at = moves[-1].end if moves else self.at
         changed = block.miscellaneous == Miscellaneous.TOOL_CHANGE
         stop = MISCELLANEOUS[block.miscellaneous] if block.miscellaneous in STOPS else None
-        return Step(place.number, place.frame, block, moves, modes, self.at, changed, stop)
+        return Step(place.number, place.frames[0], block, moves, modes, self.at, changed, stop)
 
     def _set(self, block: Block) -> Modes:
         """Return the modes in force with this block: its preparatory and miscellaneous functions set them."""

@@ -31,7 +31,7 @@ from programs.arithmetic import EXACT, Arithmetic
 from programs.format import Overflow
 from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
-from programs.milling import AS_LISTED, NO_CUTTER, SLOWEST, Milling
+from programs.milling import AS_LISTED, NO_CUTTER, OF_CENTRE, SLOWEST, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.profile import RoundSide, beside_oval
 from programs.stretches import Point, oval
@@ -46,18 +46,14 @@ def part(
     *,
     radius: Annotated[int, "RAD: radius of the cutter's path", THOUSANDTHS] = 1750,
     tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
-    outer: Annotated[
-        float | None, "ARL: outer limit, else radius + tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
-    inner: Annotated[
-        float | None, "ARS: inner limit, else radius - tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
+    outer: Annotated[float | None, "ARL: outer limit, else radius + tolerance", *OF_CENTRE] = None,
+    inner: Annotated[float | None, "ARS: inner limit, else radius - tolerance", *OF_CENTRE] = None,
     centre_x: Annotated[int, "X of the centre, 4000. in line 320", THOUSANDTHS] = 4000,
     centre_y: Annotated[int, "Y of the centre, 4000. in line 325", THOUSANDTHS] = 4000,
     start_x: Annotated[
-        int | None, "AX: first distance from the centre in X, else the radius", THOUSANDTHS, NO_CUTTER
+        int | None, "AX: first distance from the centre in X, else the radius", *OF_CENTRE
     ] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS, NO_CUTTER] = 0,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", *OF_CENTRE] = 0,
     sequence: Annotated[int, "", NUMBER] = 7,
     preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
     x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,

@@ -22,7 +22,7 @@ from programs.arithmetic import EXACT, WHICH, Arithmetic
 from programs.format import Overflow
 from programs.function import CutterOfSurface
 from programs.header import THESIS, Header
-from programs.milling import AS_LISTED, NO_CUTTER, Milling
+from programs.milling import AS_LISTED, NO_CUTTER, OF_CENTRE, Milling
 from programs.printout import Printout, check_band, check_codes, check_start
 from programs.profile import RoundSide, beside_oval
 from programs.stretches import Point, oval
@@ -41,24 +41,16 @@ def part(
     major: Annotated[int, "AC: semi-major axis, along X", THOUSANDTHS] = 3000,
     minor: Annotated[int, "BC: semi-minor axis, along Y", THOUSANDTHS] = 2250,
     tolerance: Annotated[float, "half the width of the band", THOUSANDTHS.below(1)] = 5,
-    outer_major: Annotated[
-        float | None, "AA: outer major limit, else major + tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
-    outer_minor: Annotated[
-        float | None, "BB: outer minor limit, else minor + tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
-    inner_major: Annotated[
-        float | None, "A: inner major limit, else major - tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
-    inner_minor: Annotated[
-        float | None, "B: inner minor limit, else minor - tolerance", THOUSANDTHS, NO_CUTTER
-    ] = None,
+    outer_major: Annotated[float | None, "AA: outer major limit, else major + tolerance", *OF_CENTRE] = None,
+    outer_minor: Annotated[float | None, "BB: outer minor limit, else minor + tolerance", *OF_CENTRE] = None,
+    inner_major: Annotated[float | None, "A: inner major limit, else major - tolerance", *OF_CENTRE] = None,
+    inner_minor: Annotated[float | None, "B: inner minor limit, else minor - tolerance", *OF_CENTRE] = None,
     centre_x: Annotated[int, "CX: X of the centre", THOUSANDTHS] = 4000,
     centre_y: Annotated[int, "CY: Y of the centre", THOUSANDTHS] = 4000,
     start_x: Annotated[
-        int | None, "AX: first distance from the centre in X, else the major axis", THOUSANDTHS, NO_CUTTER
+        int | None, "AX: first distance from the centre in X, else the major axis", *OF_CENTRE
     ] = None,
-    start_y: Annotated[int, "AY: first distance from the centre in Y", THOUSANDTHS, NO_CUTTER] = 0,
+    start_y: Annotated[int, "AY: first distance from the centre in Y", *OF_CENTRE] = 0,
     sequence: Annotated[int, "", NUMBER] = 6,
     preparatory: Annotated[int, "", CODE] = Preparatory.MILL,
     x_feed: Annotated[int, "", CODE] = Miscellaneous.X_FEED,

@@ -14,7 +14,7 @@ from programs.header import Header
 from programs.piecewise import Feeds, Technique
 from programs.printout import Printout, check_feed
 from programs.stretches import Axis, Curve, Point
-from programs.units import CODE, FRACTION
+from programs.units import CODE, FRACTION, THOUSANDTHS
 from tapes.hydrapoint import Miscellaneous, Preparatory
 
 _FEED_FUNCTION: Final[dict[Axis, Miscellaneous]] = {"X": Miscellaneous.X_FEED, "Y": Miscellaneous.Y_FEED}
@@ -25,6 +25,8 @@ AS_LISTED = (STEP, "not stop=inside")
 """What has to be chosen for a constant of the listings' own method to have a meaning."""
 NO_CUTTER = "not cutter"
 """What a constant needs that means nothing for a path beside the surface."""
+OF_CENTRE = (THOUSANDTHS, NO_CUTTER)
+"""A length of the path of the cutter's centre."""
 
 
 @dataclass(frozen=True)

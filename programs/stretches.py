@@ -129,15 +129,11 @@ def arc(centre: Point, radius: float, start: float, sweep: float, tolerance: flo
         return Stretch(dx, dy, side, upward, last_y=centre.y)
 
     last = start + sweep
-    angles = [start, *_right_angles_between(start, last), last]
-    stretches = tuple(stretch(*pair) for pair in pairwise(angles))
-    return Curve(at(start), stretches, at(last))
-
-
-def _right_angles_between(start: float, last: float) -> list[float]:
     low, high = min(start, last), max(start, last)
     between = [90.0 * turn for turn in range(floor(low / 90) + 1, ceil(high / 90))]
-    return between if start <= last else list(reversed(between))
+    angles = [start, *(between if sweep >= 0 else reversed(between)), last]
+    stretches = tuple(stretch(*pair) for pair in pairwise(angles))
+    return Curve(at(start), stretches, at(last))
 
 
 def oval(centre: Point, major: int, inner: Limits, outer: Limits) -> Curve:
