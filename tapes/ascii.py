@@ -16,19 +16,12 @@ from collections.abc import Collection
 from typing import Final
 
 from tapes import frames as strip
-from tapes.code import MOSTLY, Characters, Row, Rule, lined, lines_of, nearly_all
+from tapes.code import MOST_WRONG, MOSTLY, Characters, Row, Rule, lined, lines_of, nearly_all
 from tapes.errors import TapeError, TextError
 
 CR, LF, RUBOUT = 0o015, 0o012, 0o177
 
-WRITING = bytes(
-    frame for frame in range(256) if 0o007 <= frame & 0o177 <= 0o015 or 0o040 <= frame & 0o177 <= 0o177
-)
-"""BELL to CR and all that prints, with and without channel 8."""
-
 _FIGURES = bytes(code | channel_8 for code in b"0123456789 \r\n\0\x7f" for channel_8 in (0, 0o200))
-_NO_CHARACTERS = bytes([strip.BLANK, strip.LEADER, strip.RUBOUT])
-_MOST_WRONG = 0.1
 _MANY = 20
 _SPLICE = 6
 """A tape is taken for two pieces of different parity only if that saves so many faults."""
@@ -102,14 +95,11 @@ class _Ascii(Characters):
         """Return MOSTLY if nine in ten frames are characters that a text has."""
         _, content, _ = strip.strip(frames)
         if not strip.begins_as_words(frames, content):
-            content = content.translate(None, _NO_CHARACTERS)
-        if (
-            len(content) > 8
-            and max(content) < 0o100
-            and 2 * len(content.translate(None, _FIGURES)) > len(content)
-        ):
+            content = content.translate(None, strip.FILL)
+        others = content.translate(None, _FIGURES)
+        if len(content) > 8 and max(content) < 0o100 and 2 * len(others) > len(content):
             return 0.0  # text without letters is figures; this is a tape of six levels
-        return MOSTLY if nearly_all(content, WRITING) else 0.0
+        return MOSTLY if nearly_all(content, strip.WRITING) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
         codes = frames.translate(strip.PARITIES["none"])
@@ -127,7 +117,7 @@ class _Ascii(Characters):
 
     def fitting(self, frames: bytes) -> bytes:
         tables = [strip.PARITIES[name] for name, _ in _parities(frames, ())] or [bytes(range(256))]
-        obeying = {frame for frame in WRITING if any(table[frame] == frame for table in tables)}
+        obeying = {frame for frame in strip.WRITING if any(table[frame] == frame for table in tables)}
         return bytes(sorted({*obeying, strip.RUBOUT}))
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
@@ -141,7 +131,7 @@ class _Ascii(Characters):
             piece = 0
             while ends[piece] <= at:
                 piece += 1
-            return frame in _NO_CHARACTERS or strip.PARITIES[pieces[piece][0]][frame] == frame
+            return frame in strip.FILL or strip.PARITIES[pieces[piece][0]][frame] == frame
 
         return Rule(f"the tape's parity, {said(pieces)}", obeyed)
 
@@ -162,10 +152,10 @@ def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]
     """Return the parity of each piece of a tape and the frame where it ends, doubtful frames apart; [] where
     more than a tenth of the characters break it. One piece is likelier than two that save few faults.
     """
-    characters = ((at, frame) for at, frame in enumerate(frames) if frame not in _NO_CHARACTERS)
+    characters = ((at, frame) for at, frame in enumerate(frames) if frame not in strip.FILL)
     sure = [(at, frame) for at, frame in characters if at not in doubtful]
     for name in _LIKELIEST:
-        if all(strip.PARITIES[name][frame] == frame for frame in set(frames) - set(_NO_CHARACTERS)):
+        if all(strip.PARITIES[name][frame] == frame for frame in set(frames) - set(strip.FILL)):
             return [(name, len(frames))]
     costs = {name: 0 for name in _LIKELIEST}
     ways: dict[str, list[tuple[str, int]]] = {name: [(name, 0)] for name in _LIKELIEST}
@@ -177,7 +167,7 @@ def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]
                 costs[name], ways[name] = spliced, [*before, (name, at)]
             costs[name] += strip.PARITIES[name][frame] != frame
     best = _least(costs)
-    if not sure or costs[best] > (_MOST_WRONG * len(sure) if len(sure) >= _MANY else 0):
+    if not sure or costs[best] > (MOST_WRONG * len(sure) if len(sure) >= _MANY else 0):
         return []
     starts = [start for _, start in ways[best]][1:]
     return list(zip([name for name, _ in ways[best]], [*starts, len(frames)], strict=True))

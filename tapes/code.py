@@ -20,6 +20,8 @@ same, but after a label; the tape begins with the code's own leader; nine frames
 fit. 0.0: it is in another code.
 """
 
+MOST_WRONG: Final = 0.1
+"""A rule that a larger part of the frames breaks is none."""
 
 _LONGEST_TITLE: Final = 2000
 _LETTER: Final = 8

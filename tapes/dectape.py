@@ -67,7 +67,10 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
     width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
     blocks, rest = divmod(len(content), 2 * width)
     if rest or not 0 < blocks <= BLOCKS or len(content) in _OTHERS:
-        raise TapeError(_no_image(len(content)))
+        what = f": {image(len(content))}" if image(len(content)) else ""
+        lengths = " or ".join(f"{each:,}" for each in _LENGTHS)
+        ends = f"a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"
+        raise TapeError(f"{len(content):,} bytes{what}; {ends}")
     words = array("H", bytes(2 * BLOCKS * WORDS))
     for block in range(blocks):
         for word in range(width):
@@ -86,13 +89,6 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
 def is_image(content: bytes) -> bool:
     """Whether a file is as long as a whole image."""
     return len(content) in _LENGTHS
-
-
-def _no_image(length: int) -> str:
-    lengths = " or ".join(f"{each:,}" for each in _LENGTHS)
-    what = image(length)
-    said = f"{length:,} bytes: {what}" if what else f"{length:,} bytes"
-    return f"{said}; a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"
 
 
 def packed(words: "Iterable[int]") -> bytes:

@@ -13,15 +13,13 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from tapes import codes
-from tapes.code import LED, Characters, Code, Rule
+from tapes.code import LED, MOST_WRONG, Characters, Code, Rule
 from tapes.errors import TapeError
-from tapes.frames import BLANK, LEADER, RUBOUT, channels
+from tapes.frames import BLANK, FILL, channels
 from tapes.quantities import counted
 
-MOST_WRONG = 0.1
 _LIKELIER = 3.0
 _FEW = 20
-_FILL = bytes([BLANK, LEADER, RUBOUT])
 _PART = re.compile(rb"[^\0](?:.*?[^\0])??(?=\0{10}|\0*\Z)", re.DOTALL)
 """What lies between inches of blank tape."""
 
@@ -76,7 +74,7 @@ def others(frames: bytes, code: Code) -> list[tuple[range, Code]]:
     parts = [*_PART.finditer(frames)] if isinstance(code, Characters) else []
     for part in parts if len(parts) > 1 else ():
         piece = part.group()
-        other = codes.recognise(piece) if len(piece.translate(None, _FILL)) >= _FEW else code
+        other = codes.recognise(piece) if len(piece.translate(None, FILL)) >= _FEW else code
         if (
             other in codes.CODES
             and other is not code

@@ -20,7 +20,7 @@ from typing import Final
 
 from tapes.code import MOSTLY, WHOLE, Characters, Row, Rule, lined, lines_of, nearly_all
 from tapes.errors import TapeError, TextError
-from tapes.frames import BLANK, LEADER, LEAST_LEADER, RUBOUT, channels, paper_end, skip
+from tapes.frames import BLANK, FILL, LEAST_LEADER, channels, paper_end, skip
 
 EOB = 0o200
 DELETE = 0o177
@@ -49,7 +49,6 @@ _NAMES = {
 
 _FITTING = bytes([*CHARACTERS, DELETE])
 _WITHOUT_ZERO = bytes([BLANK, DELETE, EOB, *(CODES[digit] for digit in "123456789")])
-_NO_WORD = bytes([BLANK, LEADER, RUBOUT])
 _NO_CODE = 0o377  # even, so never an EIA code; the mark of one that is none in both tables
 _NOT_OF_A_BLOCK = bytes(code for code in range(256) if CHARACTERS.get(code, "") not in tuple("0123456789\n"))
 _TO_FRAME = bytes(CODES.get(chr(code).upper(), _NO_CODE) for code in range(256))
@@ -63,7 +62,8 @@ def encode(text: str, skip: str = "") -> bytes:
     r"""Punch `text` in capitals, "\n" as EOB, without the characters in `skip`. Raises TextError."""
     frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode())
     if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
-        index = next(i for i, character in enumerate(text) if not (character in skip or _has_code(character)))
+        kept = (at for at, character in enumerate(text) if character not in skip)
+        index = next(at for at in kept if not (text[at].isascii() and text[at].upper() in CODES))
         raise TextError(f"{text[index]!r} has no EIA code", text, index)
     return frames
 
@@ -93,10 +93,6 @@ def name(frame: int) -> str:
     return _NAMES.get(frame) or CHARACTERS.get(frame, "?")
 
 
-def _has_code(character: str) -> bool:
-    return character.isascii() and character.upper() in CODES
-
-
 def _complaint(frame: int) -> str:
     holes = " ".join(map(str, channels(frame)))
     fault = "an even number of holes" if frame.bit_count() % 2 == 0 else "not assigned"
@@ -118,7 +114,7 @@ class _Eia(Characters):
         has_blocks = EOB in frames.lstrip(bytes([EOB])) and not frames.startswith(LEAST_LEADER)
         if has_blocks and not frames.translate(None, _FITTING + bytes([BLANK])):
             return 0.9 * WHOLE
-        return MOSTLY if nearly_all(frames.translate(None, _NO_WORD), _FITTING) else 0.0
+        return MOSTLY if nearly_all(frames.translate(None, FILL), _FITTING) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
         codes = frames.strip(bytes([BLANK]))

@@ -33,7 +33,12 @@ LABEL_GAP = bytes([BLANK]) * 3
 PADDING = bytes([BLANK, 0o012, 0o015, 0o032, 0o212, 0o215, 0o232])
 """What a file may have after a tape's end: blank tape, a line end, ^Z."""
 
-_PRINTED = bytes([*range(0o007, 0o016), *range(0o040, 0o200), *range(0o207, 0o216), *range(0o240, 0o400)])
+WRITING = bytes([*range(0o007, 0o016), *range(0o040, 0o200), *range(0o207, 0o216), *range(0o240, 0o400)])
+"""BELL to CR and all that prints in ASCII, with and without channel 8."""
+
+FILL = bytes([BLANK, LEADER, RUBOUT])
+"""Frames that are no characters and no words."""
+
 _MOST_LINES = 2
 """Lines of a title: more are a text."""
 _NO_LETTERS = bytes([BLANK, LEADER])
@@ -66,7 +71,7 @@ def with_parity(frames: bytes, parity: str) -> bytes:
 
 def parity(frames: bytes) -> str:
     """Return the key of PARITIES that every character obeys, or "mixed"; blanks and rubouts do not count."""
-    characters = bytes(sorted(set(frames) - {BLANK, LEADER, RUBOUT}))
+    characters = frames.translate(None, FILL)
     for name in ("none", "mark", "even", "odd"):
         if characters.translate(PARITIES[name]) == characters:
             return name
@@ -133,7 +138,7 @@ def starts(frames: bytes) -> list[int]:
 
 def _is_title(frames: bytes) -> bool:
     """Tell whether frames before a leader are a line or two of characters."""
-    return _lines(frames) <= _MOST_LINES and not frames.strip(_NO_LETTERS).translate(None, _PRINTED)
+    return _lines(frames) <= _MOST_LINES and not frames.strip(_NO_LETTERS).translate(None, WRITING)
 
 
 def _lines(frames: bytes) -> int:

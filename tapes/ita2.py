@@ -30,10 +30,10 @@ class _Ita2(Characters):
     def encode(self, text: str, parity: str = "mark", fill: int = 6) -> bytes:
         frames = bytearray([LETTERS])
         shifted, other = _LETTERS, _FIGURES
-        for at, character in enumerate(text.upper().replace("\n", "\r\n")):
+        line = text.upper().replace("\n", "\r\n")
+        for at, character in enumerate(line):
             if character not in shifted:
                 if character not in other:
-                    line = text.upper().replace("\n", "\r\n")
                     raise TextError(f"{character!r} has no code in ITA2", line, at)
                 shifted, other = other, shifted
                 frames.append(LETTERS if shifted == _LETTERS else FIGURES)

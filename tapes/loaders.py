@@ -14,10 +14,12 @@ from tapes.code import LABELLED, LED, MOSTLY, PERHAPS, WHOLE, Code, Row, Rule, n
 from tapes.errors import TapeError
 from tapes.frames import (
     BLANK,
+    FILL,
     LEADER,
     LEAST_LEADER,
     PARITIES,
     RUBOUT,
+    WRITING,
     begins_as_words,
     draw_label,
     leader_start,
@@ -29,7 +31,6 @@ from tapes.quantities import counted, ranges
 _FITTING = 8
 """Frames: one in 65,000 begins so by chance."""
 _NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout"}
-_NO_WORD = bytes(_NAMES)
 
 
 class Known(NamedTuple):
@@ -82,7 +83,7 @@ class Words(Code):
 
     def likelihood(self, frames: bytes) -> float:
         """Return how likely a tape is in this format; one of characters, without leader, is a text."""
-        if LEADER not in frames and not frames.translate(None, ascii.WRITING):
+        if LEADER not in frames and not frames.translate(None, WRITING):
             return 0.0
         whole = self._whole(frames)
         if whole:
@@ -90,7 +91,7 @@ class Words(Code):
         start = leader_start(frames)
         if start and b"\r\n" not in frames[:start].translate(PARITIES["none"]):
             tape = frames[start:]  # letters for the eye stand before it: lines of text do not
-            if self._likelihood(tape) == LED and not nearly_all(tape.strip(_NO_WORD), ascii.WRITING):
+            if self._likelihood(tape) == LED and not nearly_all(tape.strip(FILL), WRITING):
                 return LABELLED * 0.9
         return self._likelihood(frames) or self._without_leader(frames)
 
@@ -271,7 +272,7 @@ RIM: Final = _Rim("rim", "RIM, DEC's read-in mode format", "a RIM tape", by_word
 
 def _has_lines(content: bytes) -> bool:
     codes = content.translate(PARITIES["none"])
-    return nearly_all(content, ascii.WRITING) and (ascii.CR in codes or ascii.LF in codes)
+    return nearly_all(content, WRITING) and (ascii.CR in codes or ascii.LF in codes)
 
 
 def _by_words(content: bytes, ended: bool) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations
 
 from tapes import codes
-from tapes.code import Code
+from tapes.code import MOST_WRONG, Code
 from tapes.frames import BLANK, LEAST_LEADER
 from tapes.loaders import Words
 
@@ -24,7 +24,6 @@ TURNED = {
 """How a tape was read that this option of `pdp8 tape cut` turns."""
 
 _MOST_FLIPPED = 3
-_MOST_WRONG = 0.1
 _MOST_CHANNELS = 24
 
 
@@ -57,7 +56,7 @@ def contradict(
         return {}, ""
     sure = [at for at, frame in enumerate(frames) if at not in doubtful and frame != BLANK]
     wrong = {at: weakest[at][1] for at in sure if not rule.obeyed(at, frames[at])}
-    return (wrong, rule.name) if len(wrong) <= _MOST_WRONG * len(sure) else ({}, "")
+    return (wrong, rule.name) if len(wrong) <= MOST_WRONG * len(sure) else ({}, "")
 
 
 def _by_frame(frames: bytes, doubtful: Mapping[int, int], fits: Callable[[int, int], bool]) -> dict[int, int]:

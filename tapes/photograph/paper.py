@@ -9,7 +9,7 @@ from tapes.photograph.edges import find_edges, find_side
 from tapes.photograph.flat import SAMPLES, Flat, find_spots, flatten
 from tapes.photograph.holes import FULL, by_holes, find_holes, grid, sprocket_points
 from tapes.photograph.pixels import Array
-from tapes.photograph.sheet import Points, Sheet, fit
+from tapes.photograph.sheet import Sheet, fit
 from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured_all
 
 _LONGER = 12
@@ -38,11 +38,12 @@ def find(pictures: Sizes, row: Row) -> Found:
         side = find_side(flatten(pictures, sheet, FULL), sheet)
         if side.track:
             raise TapeError("the sprocket holes cannot be told from code holes")
+    known = grid(sheet, side.width)
     if side.three > 0:
         row = Row(row.places[::-1], row.seen[::-1])
-        sheet = fit(len(row.places), _turned(grid(sheet, side.width), len(row.places)), None)
-    elif side.width != 1:
-        sheet = fit(len(row.places), grid(sheet, side.width), None)
+        known = known._replace(u=len(row.places) - 1 - known.u, v=-known.v)
+    if side.three > 0 or side.width != 1:
+        sheet = fit(len(row.places), known)
     for more in reversed(range(_LONGER)):
         sheet, flat, astray, edged = _refined(pictures, sheet, row)
         longer, before = _longer(flat, sheet, row, pictures)
@@ -83,10 +84,6 @@ def _longer(flat: Flat, sheet: Sheet, row: Row, pictures: Sizes) -> tuple[Row, i
     before, after = (np.reshape(end, (-1, 2)) for end in (ends[0][::-1], ends[1]))
     seen = np.concatenate([np.ones(len(before), bool), row.seen, np.ones(len(after), bool)])
     return Row(np.concatenate([before, row.places, after]), seen), len(before)
-
-
-def _turned(points: Points, length: int) -> Points:
-    return points._replace(u=length - 1 - points.u, v=-points.v)
 
 
 def _sprockets(pictures: Sizes, sheet: Sheet, track: int) -> Row:
