@@ -1,9 +1,7 @@
 """How dark each place of a flattened strip is, and which frames are doubtful for it.
 
 A place is measured beside the paper around it, in parts of the darkness of the holes near it. A frame is
-sure only if everything around it is as on a tape: its sprocket hole and both edges of the paper are seen,
-the holes are at their places, round, and as dark as those near, and the paper is clear. Anything else makes
-it doubtful.
+sure only if nothing around it is one of `doubts`.
 """
 
 from typing import NamedTuple

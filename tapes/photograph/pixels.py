@@ -1,6 +1,6 @@
 """A picture's file becomes light: shades of grey, of a size that is known before anything is decoded.
 
-Needs OpenCV, the extra `vision`. Sources of the headers: PNG (W3C, IHDR), JPEG (ITU T.81, B.2.2), TIFF 6.0.
+Sources of the headers: PNG (W3C, IHDR), JPEG (ITU T.81, B.2.2), TIFF 6.0.
 """
 
 from typing import Any, Literal

@@ -6,7 +6,7 @@
               dark has to be. A few may be missing, and are put in between.
 
 Rows are found among code holes too, and in many a picture without a tape: sheet.py says which are a tape's.
-Holes are dark; the picture of a tape lit from behind has to be inverted. Needs OpenCV, the extra `vision`.
+Holes are dark; the picture of a tape lit from behind has to be inverted.
 """
 
 from typing import NamedTuple
