@@ -2,6 +2,7 @@
 
 import base64
 import os
+import re
 from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,8 +19,9 @@ from pdp8.dap.breakpoints import ADDRESSES, Point
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.prompt import Monitor
+from tapes import binary
 from tapes.errors import WorkError
-from tests.pdp8.dap.test_wire import held
+from tests.pdp8.dap.test_wire import FIELDS, PROTOCOL, held
 
 SOURCE = "*200\n\tJMS SUB\n\tHLT\n*300\nSUB,\t0\n\tISZ N\nLAST,\tJMP I SUB\nN,\t7775\nHALF=1234\n$\n"
 
@@ -210,6 +212,25 @@ def test_what_a_request_needs_is_all_it_needs(request_: str) -> None:
     for name in needed:
         with pytest.raises(WorkError, match=f"{request_}: {name} is missing"):
             requests.checked(request_, {each: needed[each] for each in needed if each != name})
+
+
+@pytest.mark.skipif(not FIELDS, reason="the protocol is not installed: npm ci --prefix tests/node")
+def test_a_request_needs_what_the_protocol_has() -> None:
+    interfaces = dict(re.findall(r"interface (\w+) \{(.*?)\n\t\}", PROTOCOL.read_text(), re.DOTALL))
+    of_each = {f"{name.removeprefix('set')[:-1]}": (field,) for name, field in requests._OF_EACH.items()}
+    of_each["SourceBreakpoint"] = of_each.pop("Breakpoint")
+    needed = {f"{name[0].upper()}{name[1:]}Arguments": names for name, names in requests._NEEDED.items()}
+    for interface, names in (needed | of_each).items():
+        required = re.findall(r"^\t\t(\w+): ", interfaces[interface], re.MULTILINE)
+        assert set(names) <= {*required, "line"}, interface
+    assert set(requests._TYPES) <= FIELDS
+
+
+def test_notes_of_a_tape_are_said(tmp_path: Path) -> None:
+    (tmp_path / "own.bin").write_bytes(b"AB" + binary.encode({0o200: 0o7402}))
+    heard = held(("launch", {"program": str(tmp_path / "own.bin")}))
+    said = [each["body"]["output"] for each in heard if each.get("event") == "output"]
+    assert said == [f"{tmp_path / 'own.bin'}: a label of 2 frames from frame 0 on, left out\n"]
 
 
 def test_the_scopes_and_what_the_editor_may_do(program: str) -> None:
