@@ -4,6 +4,7 @@ import base64
 import os
 import re
 from io import BytesIO
+from itertools import cycle
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -414,3 +415,17 @@ def test_a_routine_has_its_name_or_its_address(program: str) -> None:
     debuggee: Any = SimpleNamespace(monitor=monitor)
     names = [scopes._routine(debuggee, entry) for entry in (None, 0, 0o300, 0o17)]
     assert names == ["main program", "interrupt", "SUB", "0017"]
+
+
+@pytest.mark.parametrize(("line", "reasons"), [(3, ["breakpoint"]), (5, [])])
+def test_a_breakpoint_set_while_the_machine_runs_stops_it(
+    line: int, reasons: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    turns = cycle([False, True])
+    monkeypatch.setattr(wire.Wire, "holds", property(lambda self: next(turns)))
+    path = tmp_path / "turns.pal"
+    path.write_text("*200\n\tCLA\n\tIAC\n\tJMP .-1\n\tHLT\n$\n")
+    points = {"source": {"path": str(path)}, "breakpoints": [{"line": line}]}
+    begun: tuple[str, dict[str, Any]] = ("configurationDone", {})
+    heard = held(("launch", {"program": str(path)}), begun, ("setBreakpoints", points), ("threads", {}))
+    assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == reasons
