@@ -27,7 +27,13 @@ PACKAGES = {
     "dap": ("pdp8/dap", ["tests/pdp8/dap/test_*.py"]),
     "cli": ("pdp8/cli", ["tests/pdp8/cli/test_*.py", "tests/options/test_*.py", "tests/*/test_cli.py"]),
     "web": ("pdp8/web", ["tests/pdp8/web/test_*.py"]),
-    "translator": ("pdp8/web/translator", ["tests/pdp8/web/translator/test_*.py"]),
+    "translator": (
+        "pdp8/web/translator",
+        [
+            "tests/pdp8/web/translator/test_*.py",
+            *(f"tests/pdp8/web/test_{name}.py" for name in ("translated", "by_hand", "parts")),
+        ],
+    ),
 }
 """The folder and the tests of each package. A folder of its own here is left out of the package around it."""
 
