@@ -23,7 +23,7 @@ from functools import cache
 from textwrap import wrap
 from typing import NamedTuple
 
-from nc.path import Modes, Move, MoveKind, Path, Step
+from nc.path import Move, MoveKind, Path, Step
 from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.hydrapoint import COOLANT, MISCELLANEOUS, Miscellaneous, Preparatory
@@ -93,9 +93,9 @@ def check_taps(path: Path, pitch: float) -> None:
             )
 
 
-def tap_feed(modes: Modes, pitch: float) -> float:
-    """Return the feed of a tap, inches a minute, for a pitch in thousandths."""
-    return (modes.spindle or 0) * pitch / 1000
+def speed_of(step: Step, move: Move, pitch: float) -> float:
+    """Return the speed of a block's move, inches a minute: of a tap by its pitch, in thousandths."""
+    return (step.modes.spindle or 0) * pitch / 1000 if is_tap(step) else move.speed
 
 
 def is_tap(step: Step) -> bool:
@@ -192,10 +192,8 @@ class _Program:
             self._go("G0", note, z=min(safe, _ABOVE_STOCK))
         if move.kind == MoveKind.MILL:
             self._go("G1", note, step.modes.z_feed, z=self.top - z)
-        taps, speed, end_z = is_tap(step), move.speed, self.top - end_z
-        if taps:
-            speed = tap_feed(step.modes, self.output.pitch)
-        if taps and move.kind == MoveKind.FEED_OUT:
+        speed, end_z = speed_of(step, move, self.output.pitch), self.top - end_z
+        if is_tap(step) and move.kind == MoveKind.FEED_OUT:
             self.lines += [f"M4 S{self._turning}", *REVERSING]
             self._go("G1", note, speed, z=_ABOVE_STOCK)
             self.lines += [f"M3 S{self._turning}", *REVERSING]

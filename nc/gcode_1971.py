@@ -18,7 +18,7 @@ Source: RS-274/NGC (T. Kramer, F. Proctor, E. Messina, NIST, 2000), the common p
 
 from collections.abc import Iterator
 
-from nc.gcode import REVERSING, check_taps, is_tap, tap_feed
+from nc.gcode import REVERSING, check_taps, is_tap, speed_of
 from nc.listing import spaced
 from nc.path import Modes, Move, MoveKind, Path, Step
 from nc.unit import INCH, Unit
@@ -69,7 +69,7 @@ def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
         backs_out = move.kind == MoveKind.FEED_OUT and is_tap(step) and step.modes.spindle
         if backs_out:
             yield from ["M4", *REVERSING]
-        feed = round(unit.of(1000 * (tap_feed(step.modes, pitch) if is_tap(step) else move.speed)), 4)
+        feed = round(unit.of(1000 * speed_of(step, move, pitch)), 4)
         words = _words(move, unit)
         yield f"G0 {words}" if move.kind in _RAPID else f"G1 {words} F{feed}"
         if backs_out:

@@ -31,13 +31,9 @@ class Format:
         for field in self._fields:
             if field.endswith("X"):
                 line += " " * int(field[:-1])
-            else:
-                line += _integer(int(next(numbers)), int(field[1:]), overflow)
+                continue
+            digits, width = str(int(next(numbers))), int(field[1:])
+            if len(digits) > width:
+                digits = "*" * width if overflow == "stars" else digits[-width:]
+            line += digits.rjust(width)
         return line + "\n"
-
-
-def _integer(number: int, width: int, overflow: Overflow) -> str:
-    digits = str(number)
-    if len(digits) <= width:
-        return digits.rjust(width)
-    return "*" * width if overflow == "stars" else digits[-width:]

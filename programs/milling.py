@@ -78,17 +78,14 @@ def position(printout: Printout, stop: Point) -> None:
 def _print_piecewise(printout: Printout, curve: Curve, technique: Technique) -> None:
     at, force = curve.start, Feeds(0, 0)
     for ray in technique.rays(curve):
-        changes: list[tuple[Axis, int]] = []
-        if ray.feeds.y not in (0, force.y):
-            changes.append(("Y", ray.feeds.y))
-        if ray.feeds.x not in (0, force.x):
-            changes.append(("X", ray.feeds.x))
-        if len(changes) > 1:
-            axis, code = changes.pop(0)
-            mill(printout, at, code, axis)
+        changes_x, changes_y = ray.feeds.x not in (0, force.x), ray.feeds.y not in (0, force.y)
+        if changes_x and changes_y:
+            mill(printout, at, ray.feeds.y, "Y")
         force = Feeds(ray.feeds.x or force.x, ray.feeds.y or force.y)
-        axis, code = changes[0] if changes else ("X", force.x) if force.x else ("Y", force.y)
-        mill(printout, ray.stop, code, axis)
+        if changes_x or (force.x and not changes_y):
+            mill(printout, ray.stop, force.x, "X")
+        else:
+            mill(printout, ray.stop, force.y, "Y")
         at = ray.stop
 
 

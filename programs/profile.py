@@ -13,7 +13,7 @@ Not of the thesis: its technique, on a curve of ours. Source: thesis, Chapter 3,
 """
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import atan2, ceil, cos, radians, sin, sqrt
 from typing import Annotated, Literal
@@ -154,8 +154,8 @@ def closed(path: Sequence[Place], tolerance: float) -> Curve:
         last_y = last.y if turns_x else None
         if end == len(path) - 1:
             last_x, last_y = start
-        band = _Band(path[begin : end + 1], dx, dy, tolerance)
-        stretches.append(Stretch(dx, dy, band.side, "Y" if dx * dy > 0 else "X", last_x, last_y))
+        side = _band(path[begin : end + 1], dx, dy, tolerance)
+        stretches.append(Stretch(dx, dy, side, "Y" if dx * dy > 0 else "X", last_x, last_y))
     return Curve(start, tuple(stretches), start)
 
 
@@ -169,26 +169,21 @@ def _ways(steps: list[float]) -> list[int]:
     return ways
 
 
-class _Band:
-    """The band about a piece of a path along which X and Y each have one direction."""
+def _band(path: Sequence[Place], dx: int, dy: int, tolerance: float) -> Callable[[float, float], Side]:
+    """Return which side of the band about a piece of a path a point is on; left of the path is above.
 
-    def __init__(self, path: Sequence[Place], dx: int, dy: int, tolerance: float) -> None:
-        self._dx, self._dy, self._tolerance = dx, dy, tolerance
-        self._along = [dx * x + dy * y for x, y in path]
-        self._lines = [(*start, end[0] - start[0], end[1] - start[1]) for start, end in pairwise(path)]
+    Along the piece X and Y each have one direction.
+    """
+    ways = [dx * x + dy * y for x, y in path]
+    lines = [(*start, end[0] - start[0], end[1] - start[1]) for start, end in pairwise(path)]
+    end, reach = len(lines), 2 * tolerance + 2
 
-    def side(self, x: float, y: float) -> Side:
-        """Return the side of the band that a point is on; left of the path is above."""
-        return side_of(self._left(x, y), -self._tolerance, self._tolerance)
-
-    def _left(self, x: float, y: float) -> float:
-        """Return how far to the left of the path a point is."""
-        along, reach = self._dx * x + self._dy * y, 2 * self._tolerance + 2
-        end = len(self._lines)
-        first = min(end, max(1, bisect_left(self._along, along - reach)))
-        last = max(first, min(end, bisect_left(self._along, along + reach)))
+    def side(x: float, y: float) -> Side:
+        along = dx * x + dy * y
+        first = min(end, max(1, bisect_left(ways, along - reach)))
+        last = max(first, min(end, bisect_left(ways, along + reach)))
         nearest, left = 1e18, True
-        for start_x, start_y, across, up in self._lines[first - 1 : last]:
+        for start_x, start_y, across, up in lines[first - 1 : last]:
             right, above = x - start_x, y - start_y
             part = (across * right + up * above) / (across * across + up * up)
             part = 0.0 if part < 0 else 1.0 if part > 1 else part
@@ -196,4 +191,6 @@ class _Band:
             away = aside * aside + beyond * beyond
             if away < nearest:
                 nearest, left = away, across * above >= up * right
-        return sqrt(nearest) if left else -sqrt(nearest)
+        return side_of(sqrt(nearest) if left else -sqrt(nearest), -tolerance, tolerance)
+
+    return side
