@@ -69,15 +69,6 @@ def with_parity(frames: bytes, parity: str) -> bytes:
     return frames.translate(PARITIES[parity])
 
 
-def parity(frames: bytes) -> str:
-    """Return the key of PARITIES that every character obeys, or "mixed"; blanks and rubouts do not count."""
-    characters = frames.translate(None, FILL)
-    for name in ("none", "mark", "even", "odd"):
-        if characters.translate(PARITIES[name]) == characters:
-            return name
-    return "mixed"
-
-
 def leader(length: int = LEADER_LENGTH) -> bytes:
     """Return `length` frames of DEC's leader and trailer code, 0o200."""
     return bytes([LEADER]) * length

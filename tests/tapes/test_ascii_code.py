@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from tapes import ascii
 from tapes.errors import TapeError
+from tapes.frames import leader
 from tests.conftest import assert_same_tape
 from tests.tapes.strips import octal
 
@@ -65,3 +66,10 @@ def test_every_code_has_its_name_with_channel_8_and_without() -> None:
     names = [*(name.replace("_", " ") for name in NAMES.split()), *printing, "RUBOUT"]
     assert [ascii.name(frame) for frame in range(0o200)] == names
     assert [ascii.name(frame) for frame in range(0o200, 0o400)] == ["leader", *names[1:]]
+
+
+@pytest.mark.parametrize("parity", ["mark", "even", "odd", "none"])
+def test_parity_is_told_from_the_characters(parity: str) -> None:
+    tape = bytes(8) + ascii.encode("TAD HOLD\n", parity, 0) + octal("377 377") + leader(9)
+    assert dict(ascii.ASCII.report(tape))["parity"] == parity
+    assert dict(ascii.ASCII.report(octal("301 101 303")))["parity"] == "mixed"

@@ -21,13 +21,6 @@ def test_parity(parity: str, punched: str) -> None:
     assert frames.with_parity(octal("301 303 215 212 240 377 200"), parity) == octal(punched)
 
 
-@pytest.mark.parametrize("parity", ["mark", "even", "odd", "none"])
-def test_parity_is_told_from_the_characters(parity: str) -> None:
-    tape = bytes(8) + frames.with_parity(b"TAD HOLD\r\n", parity) + octal("377 377") + frames.leader(9)
-    assert frames.parity(tape) == parity
-    assert frames.parity(octal("301 101 303")) == "mixed"
-
-
 def test_unknown_parity_is_an_error() -> None:
     with pytest.raises(TapeError, match="no parity is called 'space': mark, even, odd, none"):
         frames.with_parity(b"A", "space")
