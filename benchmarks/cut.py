@@ -33,7 +33,7 @@ def rings(blocks: int) -> bytes:
     while len(typed) < blocks:
         typed += _quarter(radius)
         radius -= 1
-    return eia.encode("\n".join(typed[:blocks]) + "\n", skip=" ")
+    return eia.encode("\n".join(typed[:blocks]).replace(" ", "") + "\n")
 
 
 def _quarter(radius: int) -> list[str]:

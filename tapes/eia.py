@@ -58,25 +58,23 @@ _TO_CHARACTER = bytes(
 )
 
 
-def encode(text: str, skip: str = "") -> bytes:
-    r"""Punch `text` in capitals, "\n" as EOB, without the characters in `skip`. Raises TextError."""
-    frames = text.encode("ascii", "replace").translate(_TO_FRAME, skip.encode())
-    if _NO_CODE in frames:  # "replace" makes "?" of what is not ASCII, and that has no code either
-        kept = (at for at, character in enumerate(text) if character not in skip)
-        index = next(at for at in kept if not (text[at].isascii() and text[at].upper() in CODES))
+def encode(text: str) -> bytes:
+    r"""Punch `text` in capitals, "\n" as EOB. Raises TextError."""
+    frames = text.encode("ascii", "replace").translate(_TO_FRAME)
+    index = frames.find(_NO_CODE)  # "replace" makes "?" of what is not ASCII, and that has no code either
+    if index != -1:
         raise TextError(f"{text[index]!r} has no EIA code", text, index)
     return frames
 
 
-def decode(frames: bytes, blank: str | None = None) -> str:
-    r"""Return the text, EOB as "\n", a blank inside as `blank`. Raises TapeError at the first bad frame."""
+def decode(frames: bytes) -> str:
+    r"""Return the text, EOB as "\n". Raises TapeError at the first bad frame; blank ones inside are bad."""
     start = skip(frames, 0, BLANK)
     characters = frames[start : paper_end(frames)].translate(_TO_CHARACTER)
-    refused = (_NO_CODE, BLANK) if blank is None else (_NO_CODE,)
     for at, code in enumerate(characters, start):
-        if code in refused:
+        if code in (_NO_CODE, BLANK):
             raise TapeError(_complaint(frames[at]) if code else "blank frame inside the data", at)
-    return characters.translate(None, bytes([DELETE])).decode("ascii").replace(chr(BLANK), blank or "")
+    return characters.translate(None, bytes([DELETE])).decode("ascii")
 
 
 def clean(frames: bytes) -> bytes:

@@ -42,19 +42,9 @@ def test_what_is_punched_is_read(text: str) -> None:
     assert eia.decode(eia.encode(text)) == text
 
 
-@pytest.mark.parametrize(
-    ("tape", "blank", "text"),
-    [
-        ("000 000 001 177 002 200 000", None, "12\n"),
-        ("", None, ""),
-        ("000 001 000 002 200", "0", "102\n"),
-        ("000 001 000 002 200", "", "12\n"),
-    ],
-)
-def test_blank_tape_around_the_data_and_deletes_in_it_say_nothing(
-    tape: str, blank: str | None, text: str
-) -> None:
-    assert eia.decode(octal(tape), blank) == text
+def test_blank_tape_around_the_data_and_deletes_in_it_say_nothing() -> None:
+    assert eia.decode(octal("000 000 001 177 002 200 000")) == "12\n"
+    assert eia.decode(b"") == ""
 
 
 def test_exactly_the_assigned_frames_are_read() -> None:
@@ -82,12 +72,6 @@ def test_the_first_bad_frame_is_named(tape: str, frame: int, message: str) -> No
 def test_a_character_without_a_code_is_named_by_line_and_column(character: str) -> None:
     with pytest.raises(TextError, match=r"line 2, column 3: .* has no EIA code"):
         eia.encode(f"12\n34{character}\n")
-
-
-def test_skipped_characters_are_not_punched_and_still_counted_in_columns() -> None:
-    assert eia.encode("00 1", skip=" ") == eia.encode("001")
-    with pytest.raises(TextError, match="column 4: '!'"):
-        eia.encode("0 1!", skip=" ")
 
 
 def test_a_clean_tape_has_digits_and_ends_of_block_alone() -> None:
