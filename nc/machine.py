@@ -211,10 +211,8 @@ class _Motion:
     def _quill(self, kind: MoveKind, depth: float) -> Iterator[Move]:
         if depth == self.at.z:
             return
-        speed = POSITIONING_SPEED
-        if kind in (MoveKind.FEED_IN, MoveKind.FEED_OUT):
-            assert self.modes.z_feed is not None
-            speed = self.modes.z_feed
+        is_fed = kind in (MoveKind.FEED_IN, MoveKind.FEED_OUT)
+        speed = (self.modes.z_feed or 0) if is_fed else POSITIONING_SPEED
         yield self._move(kind, Position(self.at.x, self.at.y, depth), speed)
 
     def _table(self, kind: MoveKind, x_speed: float, y_speed: float) -> Iterator[Move]:

@@ -89,19 +89,20 @@ def _check_turn(before: Place, here: Place, after: Place, tolerance: float) -> N
 
 def _check_smooth(line: list[Place], axis: int, least: float) -> None:
     """Raise WorkError where a line turns back by less than `least` along an axis, so that a stop may miss."""
-    ends: list[Place] = []
+    end: float | None = None
     values = [place[axis] for place in line]
     start = values.index(min(values))
     forth = True
     for here, there in pairwise([*line[start:], *line[: start + 1]]):
         if there[axis] != here[axis] and (there[axis] > here[axis]) != forth:
             forth = not forth
-            if ends and _FINE < abs(here[axis] - ends[-1][axis]) < least:
+            by = abs(here[axis] - end) if end is not None else 0.0
+            if _FINE < by < least:
                 raise WorkError(
                     f"the outline is rough at {_at(here)}: along {'XY'[axis]} it goes back and forth by "
-                    f"{abs(here[axis] - ends[-1][axis]):.4f} in, {least:g} is the least: smooth it"
+                    f"{by:.4f} in, {least:g} is the least: smooth it"
                 )
-            ends.append(here)
+            end = here[axis]
 
 
 def crossing(line: list[Place]) -> Place | None:

@@ -92,10 +92,9 @@ def _polar(expression: str) -> list[Place]:
         if place and abs(r - before) > _FURTHEST:
             raise WorkError(f"at x = {angle:.3f} the radius jumps to {r:g}")
         before = r
-    if abs(radius(radians(360)) - radius(0)) > _FURTHEST:
-        raise WorkError(
-            f"the profile is not closed: the radius is {radius(0):g} at 0, {radius(radians(360)):g} at 2 pi"
-        )
+    first, last = radius(0), radius(radians(360))
+    if abs(last - first) > _FURTHEST:
+        raise WorkError(f"the profile is not closed: the radius is {first:g} at 0, {last:g} at 2 pi")
     return edge
 
 

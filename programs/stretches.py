@@ -201,14 +201,11 @@ def turning_points(heights: Sequence[float]) -> list[int]:
 
 def check_tolerance(tolerance: float, size: float) -> None:
     """Raise WorkError for a tolerance finer than the machine's resolution, or as large as the curve."""
+    said = f"tolerance {tolerance / 1000:g} in: must be"
     if not tolerance >= 1:
-        raise WorkError(
-            f"tolerance {tolerance / 1000:g} in: must be .001 in, the machine's resolution, or more"
-        )
+        raise WorkError(f"{said} .001 in, the machine's resolution, or more")
     if tolerance >= size:
-        raise WorkError(
-            f"tolerance {tolerance / 1000:g} in: must be smaller than the curve, {size / 1000:g} in"
-        )
+        raise WorkError(f"{said} smaller than the curve, {size / 1000:g} in")
 
 
 def _check_steepness(first_x: int, heights: Sequence[float], tolerance: float) -> None:
