@@ -25,7 +25,14 @@ PACKAGES = {
     "monitor": ("pdp8/monitor", ["tests/pdp8/monitor/test_*.py", "tests/pdp8/cli/test_files.py"]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer/**/test_*.py"]),
     "dap": ("pdp8/dap", ["tests/pdp8/dap/test_*.py"]),
-    "cli": ("pdp8/cli", ["tests/pdp8/cli/test_*.py", "tests/options/test_*.py", "tests/*/test_cli.py"]),
+    "cli": (
+        "pdp8/cli",
+        [
+            *("tests/pdp8/cli/test_*.py", "tests/options/test_*.py", "tests/*/test_cli.py"),
+            *("tests/pdp8/*/test_command.py", "tests/programs/test_part_command.py"),
+            *(f"tests/pdp8/lessons/test_{name}.py" for name in ("where", "classes")),
+        ],
+    ),
     "web": ("pdp8/web", ["tests/pdp8/web/test_*.py"]),
     "translator": (
         "pdp8/web/translator",
