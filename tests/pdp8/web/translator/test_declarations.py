@@ -91,6 +91,10 @@ export class Words extends Uint16Array<ArrayBuffer> {
 export class Dict<K, V> {
 export class PySet<T> {
 readonly size: number;
+[Symbol.iterator](): IterableIterator<K>;
+has(key: K): boolean;
+delete(key: T): boolean;
+set(key: K, value: V): this;
 export class KeyError extends LookupError {}
 split_(sep?: string): (string)[];
 translate(table: $.Bytes | null, delete$?: $.Bytes): $.Bytes;
