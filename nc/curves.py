@@ -58,7 +58,7 @@ class Stations:
 
 
 class Curve(ABC):
-    """A curve to sample; the cutter's centre is `beside` it if a surface; `guessed`: found from the path."""
+    """A curve to sample; the cutter's centre goes `beside` a surface; the path gives a `guessed` one."""
 
     closed: ClassVar[bool] = False
     guessed: bool = False

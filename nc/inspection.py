@@ -42,11 +42,11 @@ _AT_ONCE = 512
 _TENTH = 0.1
 """Thousandths: what a verdict is rounded to, whatever the tolerance is a multiple of."""
 _TIE = 1e-6
-"""Of two stations as near, at a corner, the one whose normal leads to the place is taken."""
+"""At a corner, of two stations equally near, the one whose normal leads to the place is taken."""
 _LEFT = 0.05
 """Thousandths by which a wall of the curve may be cut from elsewhere on it."""
 _ALONG = 0.1
-"""A normal that further cuts prolong by more than this part of the radius goes along a side of the part."""
+"""A part of the radius: a normal that further cuts prolong by more goes along a side of the part."""
 _EVERY = 8
 _TURNS, _FINE = 50, 16
 """How many of the lowest and highest places are looked at closely, and into how many parts a step goes."""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 STEP: Final = 1
-"""The least move. A contour is closed within it: the listing's circle, closed, ends so far from its start."""
+"""The least move. A contour that ends so near its start is closed: the listing's circle, with `close`."""
 
 
 class Position(NamedTuple):

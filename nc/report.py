@@ -93,7 +93,7 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
         yield f"not cut   {inspection.uncut:.1%} of the curve was not reached by the cutter"
     for wall, part in inspection.without.items():
         if part:
-            yield f"no wall   {wall}, along {part:.1%} of the curve: it bends closer than the cutter's radius"
+            yield f"no wall   {wall}, along {part:.1%} of the curve: it bends more sharply than the cutter"
     yield ""
     yield from _readings(inspection, unit)
     yield ""

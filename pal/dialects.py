@@ -25,7 +25,7 @@ _UNKNOWN = {
 } | dict.fromkeys(
     ("IFDEF", "IFNDEF", "IFZERO", "IFNZRO"), "PAL III assembles everything; keep variants on separate tapes"
 )
-"""Of names, the six characters that count."""
+"""Of each name the first six characters, which count."""
 _LATER = (
     "ACL ASR BSW CAF CAM CDF CIF DVI GTF KCF KIE LSR MQA MQL MUY NMI RDF RIB RIF RMF RTF SCA SCL SGT SHL "
     "SKON SRQ SWP TFL TSK"

@@ -20,7 +20,7 @@ _ILLEGAL_REFERENCE = "IR"
 _MEANT = re.compile(r"did you mean ([A-Z0-9 ]+)\?")
 _ORIGIN = re.compile(r"[ \t]*(?:[*$]|(?:PAGE|FIELD)\b(?![ \t]*[,=]))")
 _LONGEST = 5
-"""Characters of a name behind the P of its pointer."""
+"""Characters of a name that follow the P in the name of its pointer."""
 
 
 class Fix(NamedTuple):

@@ -30,7 +30,7 @@ SMA, SZA, SNL, REVERSED, OSR, HLT = 0o100, 0o40, 0o20, 0o10, 0o4, 0o2
 
 FETCH, DEFER, EXECUTE, NO_STATE, WORD_COUNT, CURRENT_ADDRESS, BREAK = 0, 1, 2, 3, 4, 5, 6
 STATES = ("FETCH", "DEFER", "EXECUTE", "no state", "WORD COUNT", "CURR ADDR", "BREAK")
-"""The major states, the last three a data break's; no lamp of them is lit after LOAD ADD, EXAM and DEP."""
+"""The major states, the last three a data break's; LOAD ADD, EXAM and DEP leave none of their lamps lit."""
 
 _ADDRESS, _PAGE, _CURRENT_PAGE, _JMP = ADDRESS, PAGE, CURRENT_PAGE, JMP
 """The same as C numbers, where this file is compiled (isa.pxd)."""

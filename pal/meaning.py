@@ -14,7 +14,7 @@ from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 
 _CYCLE = 1.6
 _IOT = 4.25
-"""Microseconds."""
+"""Microseconds that an IOT takes."""
 _MEANINGS = {symbol.mnemonic: symbol.meaning for symbol in reversed(PERMANENT)}
 _WORDS = {symbol.mnemonic: symbol.octal for symbol in reversed(PERMANENT)}
 _MARKS = {"I": "indirect: the word there holds the address", "Z": "on page zero"}

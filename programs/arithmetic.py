@@ -139,7 +139,7 @@ class Float:
 
 
 def _nearest(mantissa: int, bits: int) -> tuple[int, int]:
-    """A mantissa rounded to the nearest of `bits`, and how many bits were dropped; so the others."""
+    """Round a mantissa to the nearest of `bits`; return it, and how many bits were dropped."""
     dropped = max(0, mantissa.bit_length() - bits)
     if not dropped:
         return mantissa, 0
@@ -321,7 +321,7 @@ WHICH: Final = "the arithmetic of which machine"
 _HALF: Final = 1 << 26
 """The leading bit of a mantissa of FLOAT."""
 _BIAS: Final = 0o200 + 27
-"""What FLOAT's exponents exceed those of Float by."""
+"""By how much FLOAT's exponents are greater than Float's."""
 _EXTRA: Final = 256
 """Bits that a quotient and a root have behind the point, so that later rounding is exact."""
 

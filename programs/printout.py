@@ -109,7 +109,7 @@ def check_band(name: str, size: float, inner: float, outer: float) -> None:
     """Raise WorkError unless `size` is positive and its limits are two thousandths or more apart."""
     what, least, most = f"{name} {_inches(size)}", _inches(inner), _inches(outer)
     if not (isfinite(size) and isfinite(inner) and isfinite(outer)):
-        raise WorkError(f"{what} between {inner:g} and {outer:g}: must be finite numbers")
+        raise WorkError(f"{what} between {inner:g} and {outer:g}: all have to be finite")
     if size <= 0:
         raise WorkError(f"{what}: must be greater than 0")
     if inner <= 0:

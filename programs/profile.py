@@ -6,8 +6,8 @@
              '.       .'      where it turns along X or along Y; the band is E wide to each side of it,
                '-...-'        square to it.
 
-An edge that bends closer than the cutter, on its side, cannot be cut, nor a gap too narrow for it. In an
-inner corner the cutter may leave .001 in.
+An edge that bends more sharply than the cutter, on its side, cannot be cut, nor a gap too narrow for it.
+In an inner corner the cutter may leave .001 in.
 
 Not of the thesis: its technique, on a curve of ours. Source: thesis, Chapter 3, for the band of a curve.
 """
@@ -107,7 +107,7 @@ def _offset(edge: Sequence[Place], beside: float) -> list[Place]:
         places = _about(before, here, after, beside)
         across, up = places[0][0] - end[0], places[0][1] - end[1]
         if (here[0] - before[0]) * across + (here[1] - before[1]) * up <= 0:
-            raise WorkError(f"{too_big}the profile bends closer, or is rough, at {_at(before)}")
+            raise WorkError(f"{too_big}the profile bends more sharply, or is rough, at {_at(before)}")
         if len(places) == 1 and (left := length(here, places[0]) - abs(beside)) > _LEFT:
             raise WorkError(f"{too_big}it leaves {left / 1000:.3f} in in the corner at {_at(here)}")
         path += places

@@ -39,7 +39,7 @@ _UNITS: Final = {name: count for names, count in _IN_AN_INCH.items() for name in
 _TURNS: Final = {"°": 360, "deg": 360, "rad": 2 * pi, "radian": 2 * pi, "radians": 2 * pi, "gon": 400}
 """How many of a unit are a turn."""
 _STYLES = [(mark, point) for mark in ("\t", ";", "|", ", ", ",", " ") for point in ".,"]
-"""What separates columns, and the decimal mark; of two that read as much the first."""
+"""What separates columns, and the decimal mark; of two that fit equally well the first is taken."""
 _NUMBER = {
     point: re.compile(
         rf"([+-]?(?=[{point}]?\d)(?:[1-9]\d{{0,2}}(?:[{apart}'’ ]\d{{3}})+(?!\d)|\d*)(?:[{point}]\d*)?"
@@ -203,7 +203,9 @@ class _Table:
             raise WorkError(f"{where}no points: x and y are needed on each line")
         counts = [value[0] for value in self._rows[0].values if value]
         if min(counts) >= _LISTED and sum(counts) == len(self._rows) - 1:
-            raise self._rows[0].error("so many points in two lists: make them one, around the outline")
+            raise self._rows[0].error(
+                "the numbers of points of two lists: join them to one, around the outline"
+            )
         odd = [row for row in self._rows if row.values[0] is None]
         if len(odd) == 1 < len(self._rows) - 2:  # such as a sum
             raise odd[0].error(f"{odd[0].text.strip()[:60]!r} is not x and y of a point")

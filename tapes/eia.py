@@ -143,7 +143,7 @@ class _Eia(Characters):
         return _FITTING
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
-        """Return that each frame has a code; all of them have an odd number of holes."""
+        """Return the rule that each frame has a code, all of which have an odd number of holes."""
         return Rule(
             "EIA's code, of odd holes", lambda _, frame: frame in CHARACTERS or frame in (BLANK, DELETE)
         )

@@ -66,7 +66,7 @@ class _Ita2(Characters):
         return 0.9 * MOSTLY if begun and fits else 0.0
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule:
-        """Return that no frame has a sixth channel."""
+        """Return the rule that no frame has a sixth channel."""
         return Rule("ITA2's five channels", lambda _, frame: frame in _FIVE)
 
     def sense(self, frames: bytes) -> float:

@@ -29,7 +29,7 @@ from tapes.frames import (
 from tapes.quantities import counted, ranges
 
 _FITTING = 8
-"""Frames: one in 65,000 begins so by chance."""
+"""Frames that have to fit: one tape in 65,000 begins with them by chance."""
 _NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout"}
 
 

@@ -31,7 +31,7 @@ def in_ascii(content: bytes) -> str:
 
 
 def is_utf16(content: bytes) -> bool:
-    """Whether a file is UTF-16, as PowerShell's > writes it: its mark, then Latin scripts or stray bytes."""
+    """Whether a file is UTF-16, as PowerShell's > writes it: its mark, then a quarter or more Latin-1."""
     if content[:2] not in (_LITTLE, _BIG):
         return False
     low, high = (0, 1) if content[:2] == _LITTLE else (1, 0)

@@ -71,7 +71,7 @@ class Assembly8(Assembly):
         ]
 
     def takes(self, marks: set[str], names: set[str]) -> bool:
-        """Whether a line contains one of these marks or names, with at most one undefined symbol wrong."""
+        """Whether a line with no error, or only one undefined symbol, has one of these marks or names."""
         wrong: set[int] = set()
         undefined: set[int] = set()
         for error in self.errors:

@@ -60,7 +60,7 @@ HANDLERS = {
     **{"OCTAL": 0o0210, "PAGE": 0o0437, "PAUSE": 0o0361, "RELOC": 0o5466, "TEXT": 0o2601},
     **{"XLIST": 0o5453, "ZBLOCK": 0o4130},
 }
-"""The pseudo-operators, with the addresses of DEC's routines: that is what one is in an expression."""
+"""The pseudo-operators, with the addresses of DEC's routines, which are their values in an expression."""
 
 PSEUDO_OPERATORS = tuple(HANDLERS)
 
@@ -77,4 +77,4 @@ ELSEWHERE = {
     "RIMPUN": "RIMPUNCH is palbart's: pal --rim punches a RIM tape",
     "BINPUN": "BINPUNCH is palbart's: pal punches a BIN tape",
 }
-"""What other assemblers of its family have: of names, the six characters that count."""
+"""What other assemblers of its family have; of each name the first six characters, which count."""

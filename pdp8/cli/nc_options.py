@@ -88,7 +88,7 @@ class Metric:
 def numbers(
     names: str, one_for_all: bool = False, inches: bool = False
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
-    """Return a callback that reads numbers separated by commas, one for all of them with `one_for_all`.
+    """Return a callback that reads numbers separated by commas; with `one_for_all` one stands for all.
 
     With `inches` they are lengths, and returned in inches.
     """

@@ -81,7 +81,7 @@ class Machine:
         """What is fitted."""
         self.teletype = Teletype()
         self.highspeed = HighSpeed()
-        """Replaced by those among the devices, if any: `teletype` and `highspeed` are always there."""
+        """`teletype` and `highspeed` are always there; those among the devices replace them."""
         for device in [self.teletype] if devices is None else devices:
             self._connect(device)
         self.processor = Processor(self.bus, memory)

@@ -37,7 +37,7 @@ class Watch:
         """Set when the last instruction wrote or read a watched word, or was a JMS to a breakpoint."""
         self.written: set[int] = set()
         self.read: set[int] = set()
-        """Which of the words watched the last instruction wrote, and which it read."""
+        """Which of the watched words the last instruction wrote, and which it read."""
 
     def each_cycle(self) -> bool:
         """Tell whether every cycle has to be looked at; breakpoints alone do not need it."""

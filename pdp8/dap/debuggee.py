@@ -26,7 +26,7 @@ _STANDS = (Reason.HALT, Reason.PROTECT)
 
 
 class Halt(NamedTuple):
-    """The protocol's reason for a halt, "" while only a key or tape is awaited, a sentence, breakpoints."""
+    """Why a machine halted: the protocol's reason, "" if it awaits a key or tape; a sentence; breakpoints."""
 
     reason: str
     description: str = ""

@@ -56,7 +56,7 @@ def checked(request: str, arguments: Any) -> Body:
             raise WorkError(f"{request}: breakpoints: a list expected, not {found['breakpoints']!r}")
         for each in found["breakpoints"]:
             if _OF_EACH[request] not in _object(f"{request}: breakpoints", each):
-                raise WorkError(f"{request}: {_OF_EACH[request]} is missing of a breakpoint")
+                raise WorkError(f"{request}: a breakpoint has no {_OF_EACH[request]}")
     return found
 
 

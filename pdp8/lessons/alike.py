@@ -19,9 +19,9 @@ from tapes.text import lines_of
 
 _RUN = 5
 _LEAST = 12
-"""Runs of its own an answer must have: short programs are all alike."""
+"""Runs that an answer must have beside the common ones: short programs are all alike."""
 _LONG = 25
-"""Runs of an answer, about a dozen lines: two so long are not identical by chance."""
+"""Runs of an answer of a dozen lines: two answers as long are not identical by chance."""
 _CLASS = 6
 _ALIKE = 0.7
 _OWN = frozenset(each.mnemonic for each in PERMANENT)

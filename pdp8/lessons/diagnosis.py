@@ -65,7 +65,7 @@ WANTED = {
     "halt": "a halt", "tape out": "waiting for a frame that does not come",
     "idle": "a loop that nothing ends", "limit": "running on", "any": "an end in the program",
 }  # fmt: skip
-"""How a case's stop is called."""
+"""What a case's stop is called."""
 
 
 def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[str, str]:

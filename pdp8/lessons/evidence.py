@@ -1,7 +1,8 @@
 """What is wrong with the results of an answer, if all its trials that end as expected show it.
 
 words        SUM is A + A in each trial; SUM is as it was before the start; AC is 1 more than is wanted
-characters   the same comes again and again; 020 comes for 040, and all else is right; the last 2 are missing
+characters   the same comes again and again; 020 comes in place of 040, and all else is right; the last 2
+             are missing
 """
 
 from collections.abc import Mapping, Sequence
@@ -51,7 +52,7 @@ def of_words(place: str, seen: Sequence[Word]) -> str:
 
 
 def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) -> dict[str, int]:
-    """Return {formula: value} for a word, `by_wanted` for the expected one too; `first` has the numbers."""
+    """Return {formula: value} from inputs, `by_wanted` also from the expected word; # is the `first`'s."""
     found: dict[str, int] = {}
     wanted, values = seen.expected, seen.inputs
     for name in names:
@@ -168,9 +169,9 @@ def _one_code(wrong: Sequence[Text], codes: bool) -> str:
         said = _called(min(wants), codes)
         if _NONE in gots:
             return f"Each {said} is missing, and all else is right."
-        return f"{_called(min(gots), codes)} comes for {said}, and all else is right."
+        return f"{_called(min(gots), codes)} comes in place of {said}, and all else is right."
     if len(wants) == 1:
-        return f"All is right but what comes for {_called(min(wants), codes)}."
+        return f"All is right but what comes in place of {_called(min(wants), codes)}."
     if len(gots) == 1 and _NONE not in gots:
         return f"{_called(min(gots), codes)} comes where others belong, and all else is right."
     channels = [channel for channel in range(1, 9) if masks == {1 << channel - 1}]

@@ -19,7 +19,7 @@ from tapes.text import lines_of
 FOLDER = os.path.join(shelf.beside(__file__), "exercises")
 SEED = 1
 _DEEP = re.compile(r"\s*\[{0,2}\s*[\w\"'-]+(?:\s*\.\s*[\w\"'-]+){32,}\s*\]{0,2}\s*")
-"""A key of so many parts as take tomllib the square of their number."""
+"""A key of so many parts that tomllib, whose time grows with their square, would take too long."""
 
 
 def bundled() -> list[str]:

@@ -9,7 +9,7 @@ from pdp8.lessons.diagnosis import HINTS, ITSELF, NOT_STOPPED, NOTHING
 from pdp8.lessons.exercise import Case
 
 _WEAK = (diagnosis.FIRST, diagnosis.SHIFTED, diagnosis.PARITY, diagnosis.LONG)
-"""Of these, what all trials show says more than what happened in one."""
+"""What happened in one trial, if it says less than what all of them show."""
 
 
 @dataclass(frozen=True)

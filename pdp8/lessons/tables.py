@@ -21,7 +21,7 @@ class ExerciseError(WorkError):
 _TAG = re.compile(r"[A-Za-z]\w*([+-][0-7]{1,4})?", re.ASCII)
 Field = Callable[[Any], Any]
 _NEEDED = ("title", "task", "name", "ask")
-"""The keys that must be there, in a table that may have them."""
+"""Keys that are required in every table that may have them."""
 
 
 def table(given: object, where: str, fields: Mapping[str, Field]) -> dict[str, Any]:

@@ -73,7 +73,9 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         return
     addresses, words = _words(monitor, place), [octal(each) for each in (word, *more)]
     if len(addresses) > 1 and more:
-        raise MonitorError(f"{place}: a range takes one word; several go in from one address on")
+        raise MonitorError(
+            f"{place}: a range is filled with one word; give several with the first address alone"
+        )
     if len(addresses) == 1:
         addresses = range(addresses.start, addresses.start + len(words))
     if addresses.stop > monitor.machine.memory:

@@ -36,7 +36,7 @@ _MARKED = re.compile(r"«(.*?)»(?:‹(.*?)›)?")
 
 
 class Number(NamedTuple):
-    """A number of the thesis; `words` are the scan's, `said` is the number as it is there or is read."""
+    """A number of the thesis; `words` are the scan's; `said` is the number in them, as we read it."""
 
     page: int
     words: str

@@ -16,7 +16,7 @@ from typing import Final
 from pdp8.thesis.evidence import Row, read, table
 from pdp8.thesis.reading import pal_line
 
-NOTE: Final = "Characters in [brackets] are not to be read in the scan: they are supplied."
+NOTE: Final = "Characters in [brackets] cannot be read in the scan: they are supplied."
 
 _BRACKETS = re.compile(r"\[([^][]*)\]")
 _MARKED_LINE = re.compile(r"^(?!\s*/)(.*(?:\t/[WDRC]| (?:DAMAGED|RESTORED|CONJECTURE))\b.*)$", re.MULTILINE)

@@ -85,7 +85,7 @@ def word(statement: str) -> int:
 
 
 PASSES: Final = {"die": 5}
-"""Passes through the 2 in of the die: 200 minutes of 40."""
+"""Passes that the die's 2 in of steel take: 200 minutes in all, 40 each."""
 
 
 def fewest(part: str) -> int:

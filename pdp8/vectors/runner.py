@@ -32,7 +32,7 @@ from typing import Any
 INPUTS = ("iot", "key", "start")
 REGISTERS = {"pc": 0, "ac": 0, "link": 0, "sr": 0, "ion": 0, "mem_prot": 0}
 SHOWN = 20
-"""Words of which a difference is printed, of each file."""
+"""How many words of each file have a difference printed."""
 
 
 def play(vector: dict[str, Any], emulator: Any) -> str | None:

@@ -23,7 +23,7 @@ _SKEWS = _SKEW_STEP * np.arange(-12, 13)
 _WIDTHS = np.exp(_WIDTH_STEP * np.arange(-11, 13))
 _EVERY, _STIFFNESS = 4, 0.03
 _ASTRAY = 4
-"""Samples from its place: nearer, a hole is looked for."""
+"""Samples from its place within which a hole is looked for."""
 _MIDDLE = 0.1
 """Pitches over which a hole is smoothed to find its middle: what is seen through it then moves it little."""
 _FAINT = 0.02

@@ -13,7 +13,7 @@ from tapes.photograph.sheet import Sheet, fit
 from tapes.photograph.sprockets import FEWEST, Row, Sizes, follow, measured_all
 
 _LONGER = 12
-"""How often holes are looked for beyond the ends of a row."""
+"""How many times the ends of a row are searched for further holes."""
 
 
 class Found(NamedTuple):

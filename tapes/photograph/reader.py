@@ -149,9 +149,10 @@ def _strips(light: Array) -> tuple[list[Strip], list[Strip], str]:
         if any(sheet.covers(row.places) for sheet, _, strip in found if strip.frames):
             continue
         if len(why) >= _FAILURES:
-            refused.append(
-                (row, f"not looked at after {_FAILURES} rows that cannot be read: cut the picture to it")
+            why_not = (
+                f"not looked at after {_FAILURES} rows that cannot be read: crop the picture to this one"
             )
+            refused.append((row, why_not))
             continue
         try:
             tape = find(pictures, row)

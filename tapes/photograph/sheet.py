@@ -18,7 +18,7 @@ THREE, FIVE = 3.92, 6.08
 """Pitches from the sprocket track to the edges beside three and five channels (ECMA-10)."""
 
 KNOTS = 10
-"""Rows from knot to knot of the splines of what crosses the tape."""
+"""Rows from knot to knot of the splines that give how the tape lies across its length."""
 _KNOTS = 6
 
 

@@ -109,7 +109,7 @@ def _seen(strips: Strips) -> dict[int, _Seen]:
 
 
 class _Match(NamedTuple):
-    """Agreeing bits at the best shift and at any other; shifts with enough; which fit, from `longest` on."""
+    """Agreeing bits at the best shift and the next best; shifts with enough; whether each is fitting."""
 
     said: float
     other: float
@@ -142,7 +142,7 @@ def _match(one: _Seen, other: _Seen) -> _Match:
 
 
 def _fused(one: tuple[Frame, int], other: tuple[Frame, int]) -> tuple[Frame, int]:
-    """Return a frame that is seen twice, where it is doubtful least."""
+    """Return a frame that is seen twice, as it is where fewest channels are in doubt."""
     (frame, at), (second, _) = sorted((one, other), key=lambda pair: pair[0].open.bit_count())
     differ = (frame.holes ^ second.holes) & ~frame.open & ~second.open
     holes = frame.holes & ~frame.open | second.holes & frame.open

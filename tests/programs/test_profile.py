@@ -68,7 +68,11 @@ def test_the_wall_is_within_the_tolerance_of_the_edge(side: str) -> None:
         ("1+x/10", None, "the profile is not closed: the radius is 1 at 0, 1.62832 at 2 pi"),
         ("1-2*cos(x)", None, "at x = 0.000 the radius is -1: it has to be above 0 and on the table"),
         ("1+abs(x-3)/(x-3)/4-cos(x)/9", None, "at x = 3.002 the radius jumps to"),
-        ("0.3+0.25*cos(3*x)", 1, "cutter of 1 in is too big: the profile bends closer, or is rough, at X"),
+        (
+            "0.3+0.25*cos(3*x)",
+            1,
+            "cutter of 1 in is too big: the profile bends more sharply, or is rough, at X",
+        ),
         ("6", None, "leaves the table"),
     ],
 )
@@ -134,7 +138,7 @@ def test_an_outline_without_a_cutter_is_the_path_wherever_its_points_begin() -> 
 def test_a_step_too_low_for_the_cutter_is_refused_wherever_its_points_begin() -> None:
     step = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 1.03), (0.0, 1.03)]
     for first in (0, 2, 3, 4, 5):  # from 1 on its last side is too long to be left out
-        with pytest.raises(WorkError, match="the profile bends closer, or is rough, at X"):
+        with pytest.raises(WorkError, match="the profile bends more sharply, or is rough, at X"):
             profile.part(_file([*step[first:], *step[:first]]), cutter=0.25, milling=Milling())
 
 
@@ -166,7 +170,7 @@ def test_a_step_too_low_for_the_cutter_is_refused_wherever_its_points_begin() ->
             None,
             "the outline is rough at X .*: along Y it goes back and forth by 0.00.* in, 0.012 is the least",
         ),
-        (_file(SQUARE), 4, "cutter of 4 in is too big: the profile bends closer"),
+        (_file(SQUARE), 4, "cutter of 4 in is too big: the profile bends more sharply"),
         (
             _file(HEXAGON[:1] + HEXAGON),
             0.25,

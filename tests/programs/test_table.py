@@ -119,7 +119,7 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         ("X;Y\n" + "1,5;0,5\n" * 9 + "1,1m7;0,5\n", "line 11: '1,1m7;0,5' is not x and y of a point"),
         ("Nr;X;Y\n1;1;0\n2;0;1\n3;-1;0\nSumme;0;1\n", "line 5: 'Summe;0;1' is not x and y of a point"),
         ('TITLE = "a"\nVARIABLES = "X", "Y"\n1 2\n3 4\n', "line 2: which columns are x and y?"),
-        ("NACA\n 12. 12.\n\n" + " 0.5 0.1\n" * 24, "line 2: so many points in two lists"),
+        ("NACA\n 12. 12.\n\n" + " 0.5 0.1\n" * 24, "line 2: the numbers of points of two lists"),
         ("%PDF-1.4\n1 2\n", "it is a PDF: export the points as CSV"),
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),

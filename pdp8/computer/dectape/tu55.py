@@ -27,7 +27,7 @@ from pdp8.computer.hardware.fields import BIT, FRAMES, MEDIUM, TICK, saved
 from tapes.dectape import BLOCKS, WORDS, Image
 
 LINE = 1000
-"""In thousandths."""
+"""A line of the tape, in thousandths of it."""
 BLOCK_LINES = 576
 END_ZONE = 49_152
 LINES = 2 * END_ZONE + BLOCKS * BLOCK_LINES

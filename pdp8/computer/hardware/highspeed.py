@@ -90,7 +90,7 @@ class PunchControl(Device):
         self.punch = Punch()
         self.buffer = 0
         self.punched = 0
-        """Set while the punch works on what it was let finish ahead of its time."""
+        """Set while the punch is busy with a frame that `finish` has punched already."""
 
     def advance(self, now: int) -> None:
         """Punch the frame whose time has come by tick `now`."""

@@ -47,13 +47,13 @@ from pdp8.computer.hardware.signals import AT_ONCE, CLEAR_AC, FRAME, NEVER, SKIP
 PARTS = 11
 """Parts of a tick. A unit of the line, 1/110 s, is 2,000,000 of them: times on it are whole."""
 HALF_UNIT = 1_000_000
-"""Parts."""
+"""Parts of a tick that half a unit takes."""
 EIGHTH = HALF_UNIT // 4
 """Parts of a tick from one pulse of the receiver's clock to the next."""
 
 _STOP_UNITS = 0o3000
 _MARKS = 0o777 << 11
-"""What the line shows after them, for as many units as are shifted in."""
+"""The marks that the line shows after a character, for as many units as are shifted in."""
 _MARKER = 0o400
 
 # The receiver's clock, in pulses: eight a unit.
@@ -369,7 +369,7 @@ _ACTED_ON = bytes((0o007, 0o012, 0o015, *range(0o040, 0o175)))
 PASSED_OVER = bytes(frame for frame in range(0o400) if frame & 0o177 not in _ACTED_ON)
 """The frames that do nothing in a printer."""
 TYPES = bytes(code - 0o40 if code >= 0o140 else code for code in range(0o200)) * 2
-"""The code that each of the others types."""
+"""The code that each frame types that is not passed over."""
 
 
 def printed(frames: bytes) -> bytes:
@@ -449,9 +449,9 @@ class Transmitter(Device):
         self.unit = 0
         """The data unit the selector takes next, 1 to 8; 9 until it stops, then 0 until a start unit."""
         self.began = 0
-        """When its start unit began, in parts of a tick."""
+        """When the selector's start unit began, in parts of a tick."""
         self.selected = 0
-        """The data units it has taken."""
+        """The data units that the selector has taken."""
         self.ahead = 0
         """How many of the next frames the printer has finished already, beside a halted processor."""
         self.lost = 0

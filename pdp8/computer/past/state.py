@@ -30,7 +30,7 @@ from tapes.errors import WorkError
 HEAD = {"format": "pdp8 state", "version": 2}
 _PARTS = ("memory", "core", "processor", "bus", "waiting", "extension", "devices")
 _LATEST = 1 << 56
-"""Ticks, 114 years: the line counts eleven times as many parts."""
+"""Ticks, 114 years: eleven times as many, the Teletype's parts of a tick, still fit into 64 bits."""
 _ROW = 8
 _FRAMES = 24
 _NEVER = "never"

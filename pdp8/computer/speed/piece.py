@@ -30,9 +30,9 @@ GROUP_1_ROTATE, JMS_I, ISZ_I, AND_I = 19, 20, 21, 22
 DELAY = 23
 """ISZ X of a delay loop: all turns of 3 cycles that fit but the last are counted at once."""
 WRAP = 24
-"""Past the end of core."""
+"""A word past the end of core."""
 LEFT = 25
-"""Left to the processor."""
+"""An instruction that is left to the processor."""
 STRIDE = 4098
 """From the decoded forms of a field to those of the next: two past its end wrap the PC."""
 

@@ -50,7 +50,7 @@ _LONGEST = 5_000
 _AGAIN = 200_000_000
 """Instructions that are run again at most."""
 _SHORT = 20_000_000
-"""The same, where nothing shows that the program has left its words."""
+"""Instructions that are run again where nothing shows that the program has left its words."""
 _LOADERS = 0o7600
 """DEC's loaders, RIM and BIN, may be from here on; a program may jump to them."""
 _WAITS = {0o01: READER, 0o02: PUNCH, 0o03: KEY, 0o04: PRINTER}

@@ -104,7 +104,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
     for tape, name in zip(tapes, names, strict=True):
         with naming(name):
             if codes.recognise(tape) is not codes.ASCII:
-                raise WorkError("not PAL source, of which a program of several tapes consists")
+                raise WorkError("not PAL source: only a source may be on several tapes")
     with naming(together):
         program = _assembled(tapes, names, dialect)
     program.name = together

@@ -5,6 +5,6 @@ from typing import Any
 
 
 def time(random: Random, case: dict[str, Any]) -> dict[str, Any]:
-    """Return hundredths of a second in the switches, and that delay within one percent."""
+    """Draw hundredths of a second for the switches; the delay may be one percent shorter or longer."""
     hundredths = random.randint(1, 40)
     return {**case, "sr": hundredths, "takes": [hundredths * 0.0099, hundredths * 0.0101]}

@@ -76,7 +76,7 @@ class Calls(Expressions):
         return f"{new}{self.dotted(function)}({self._arguments(node, found)})"
 
     def _replaced(self, node: ast.Call, of: ast.expr) -> str:
-        """Return a record with other fields."""
+        """Return a record with some of its fields replaced."""
         kind = self.infer(of)
         found = self.ours(kind)
         fields = dict(self.fields_of(found)) if found else {}
@@ -246,7 +246,7 @@ class Calls(Expressions):
                 self.fail(node, "a base other than 2, 8, 10 and 16")
 
     def _is_json(self, kind: Type) -> bool:
-        """Whether JSON of it is the same in both languages."""
+        """Whether both languages write a value of this type as the same JSON."""
         if kind.name in ("|", "list", "tuple", "row"):
             return all(map(self._is_json, kind.of))
         if kind.name == "dict":

@@ -618,7 +618,7 @@ class Expressions(Types):
         return f"{text}.slice({lower}{end})"
 
     def _bound(self, node: ast.expr) -> str:
-        """Return a bound of a slice: a BigInt is none in JavaScript."""
+        """Return a bound of a slice as a Number, because `slice` takes no BigInt."""
         text = self.e(node)
         large = self.checked and self.infer(node) == INT and abs(whole(node) or MOST) >= MOST
         return f"Number({text})" if large else text
@@ -654,7 +654,7 @@ class Expressions(Types):
         return ", ".join(f"(($v) => {self.shown('$v', kind, node, True)})" for kind in kinds)
 
     def _displays_its_fields(self, of: Found) -> bool:
-        """Whether its text is that of all its fields: a record no other is made from."""
+        """Whether a class is a record without subclasses, whose text is that of all its fields."""
         if of.fields is None or of.node.name in self.program.inherited:
             return False
         own = any(self.of_class(of.kind.name, name)[1] for name in ("__str__", "__repr__"))

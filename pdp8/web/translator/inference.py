@@ -197,7 +197,7 @@ class Types:
         return bool(of and not of.is_enum and any(name in each.members for each in self.program.lineage(of)))
 
     def plain(self, kind: Type) -> Type:
-        """Return what something of `kind` is in JavaScript: of a member of an enumeration its value."""
+        """Return what something of `kind` is in JavaScript: a member of an enumeration is its value."""
         of = self.ours(kind)
         return kind if not of or not of.is_enum else STR if "StrEnum" in of.marks else INT
 
@@ -494,7 +494,7 @@ class Types:
         return ANY
 
     def _takes(self, found: Found) -> list[Type]:
-        """Return the types of what a function or a method takes by its place."""
+        """Return the types of the parameters that a function or a method takes by place."""
         places = (each for each in self.program.signature(found) or [] if each.how in ("", "/"))
         return [self.annotated(each.annotation, each.module) for each in places]
 

@@ -189,7 +189,7 @@ class Writer(Statements):
             self._constants_only(of)
 
     def _constants_only(self, of: Found) -> None:
-        """Refuse an enumeration of other members than different constants."""
+        """Refuse an enumeration whose members are not constants, all different."""
         members = [each for each in of.node.body if isinstance(each, ast.Assign)]
         if len({ast.unparse(each.value) for each in members}) < len(members):
             self.fail(of.node, "two members of one value")
@@ -198,7 +198,7 @@ class Writer(Statements):
                 self.fail(each, "a member that is no constant")
 
     def _apart_from(self, node: ast.ClassDef, value: ast.expr) -> None:
-        """Refuse a class's attribute that is made of another of its own."""
+        """Refuse an attribute of a class whose value uses another attribute of that class."""
         own_names = {
             leaf(target) for each in node.body if isinstance(each, ast.Assign) for target in each.targets
         }

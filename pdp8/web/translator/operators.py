@@ -21,7 +21,7 @@ from pdp8.web.translator.types import (
 
 
 class Operator(NamedTuple):
-    """What there is for an operator."""
+    """The ways to write an operator in JavaScript."""
 
     direct: str
     """JavaScript's own."""

@@ -246,7 +246,7 @@ class Statements(Calls):
         return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
     def _lazy(self, body: list[ast.AST]) -> None:
-        """Refuse a generator that has something left to do where it is left."""
+        """Refuse a generator that would have something left to do if it is never finished."""
         for part in body:
             if isinstance(part, ast.Try | ast.With) and any(
                 isinstance(each, ast.Yield | ast.YieldFrom) for each in own(ast.iter_child_nodes(part))

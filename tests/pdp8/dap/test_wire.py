@@ -167,7 +167,7 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
         ("initialize", {"linesStartAt1": float("inf")}, "linesStartAt1: true or false expected, not inf"),
         ("setBreakpoints", [], "an object expected, not []"),
         ("setBreakpoints", {}, "source is missing"),
-        ("setBreakpoints", {"source": {}, "breakpoints": [{}]}, "line is missing of a breakpoint"),
+        ("setBreakpoints", {"source": {}, "breakpoints": [{}]}, "a breakpoint has no line"),
         (
             "setBreakpoints",
             {"source": {}, "breakpoints": [{"line": "1"}]},

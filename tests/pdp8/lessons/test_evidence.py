@@ -60,7 +60,7 @@ WORDS = ("ABC", "XY", "BACK")
         (lambda text: "?" + text, "1 too many come before the first."),
         (lambda text: text + "?!", "2 too many come after the last."),
         (lambda text: text + text, "Some too many come after the last."),
-        (lambda text: text.replace("A", "E"), "105 comes for 101, and all else is right."),
+        (lambda text: text.replace("A", "E"), "105 comes in place of 101, and all else is right."),
         (lambda text: text.replace("A", ""), "Each 101 is missing, and all else is right."),
         (lambda text: "".join(chr(ord(each) ^ 0o200) for each in text),
          "Channel 8 is wrong in every frame, and all else is right."),
