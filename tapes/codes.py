@@ -34,16 +34,18 @@ UNKNOWN: Final = Code(
 def recognise(frames: bytes) -> Code:
     """Return the likeliest code of a tape; BLANK_TAPE, SIX_LEVEL or UNKNOWN if none fits."""
     body = frames[skip(frames, 0, BLANK) :]
-    found, most = (UNKNOWN, 0.0) if body else (BLANK_TAPE, 1.0)
-    for code in CODES if body else ():
+    if not body:
+        return BLANK_TAPE
+    found, most = UNKNOWN, 0.0
+    for code in CODES:
         likelihood = code.likelihood(body)
         if likelihood > most:
             found, most = code, likelihood
     if most >= PERHAPS:
         return found
-    titled = [code for code in CODES if isinstance(code, Characters) and code.labels(frames)]
-    if titled or found is not UNKNOWN:
-        return titled[0] if titled else found
+    titled = next((code for code in CODES if isinstance(code, Characters) and code.labels(frames)), found)
+    if titled is not UNKNOWN:
+        return titled
     if len(body) >= _FEW and nearly_all(body.translate(None, bytes([BLANK])), _SIX_LEVELS):
         return SIX_LEVEL
     return UNKNOWN

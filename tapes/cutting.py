@@ -67,9 +67,6 @@ def _strips(frames: bytes) -> Iterator[_Strip]:
         holes = []
         for at, frame in enumerate(piece):
             x = PITCH * at + PITCH / 2
-            places = [
-                (SPROCKET_TRACK, SPROCKET_HOLE),
-                *((track(each), CODE_HOLE) for each in channels(frame)),
-            ]
+            places = [(SPROCKET_TRACK, SPROCKET_HOLE), *((track(one), CODE_HOLE) for one in channels(frame))]
             holes += [(x * _MM, (number * _APART + y) * _MM, across * _MM) for y, across in places]
         yield _Strip(number * _APART * _MM, PITCH * len(piece) * _MM, holes)

@@ -152,15 +152,11 @@ class _Context:
 
 def _doubt(at: int, frames: bytes, code: Code, rule: Rule, context: _Context) -> Doubt:
     seen = frames[at]
-    scores = {}
-    for channel in range(8):
-        value = seen ^ 1 << channel
-        if value and rule.obeyed(at, value):
-            scores[value] = context.likelihood(at, value)
-    order = sorted(scores, key=lambda value: scores[value], reverse=True)
-    likely = None
-    if order and scores[order[0]] > 0 and scores[order[0]] >= _LIKELIER * sum(scores[v] for v in order[1:2]):
-        likely = order[0]
+    values = [seen ^ 1 << channel for channel in range(8)]
+    scores = {value: context.likelihood(at, value) for value in values if value and rule.obeyed(at, value)}
+    best, second, *_ = [*sorted(scores.values(), reverse=True), 0.0, 0.0]
+    decided = best > 0 and best >= _LIKELIER * second
+    likely = max(scores, key=lambda value: scores[value]) if decided else None
     said = f"{_called(code, seen)} breaks {rule.name}"
     if likely is not None:
         said += f"; likely {_called(code, likely)}, channel {channels(seen ^ likely)[0]}"
