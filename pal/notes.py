@@ -216,7 +216,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
 
 
 def _run(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
-    """Return notes on programs and subroutines without branches that leave their words or hang."""
+    """Return notes on programs and subroutines that, without a branch, leave their words or hang."""
     called = {
         refers_to(cell.word, cell.address) + 1
         for address, cell in cells.items()

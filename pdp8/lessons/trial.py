@@ -24,7 +24,7 @@ _TURNS = 500
 _LOOKED_AT = 100_000
 """Instructions in which a changed word is looked for among those that are executed."""
 _CALLS = 1000
-"""Calls after which the search for it ends: a subroutine's first word changes with each call."""
+"""Stops of the search for a changed word that is executed: each call of a subroutine is one."""
 
 
 class Outcome(NamedTuple):
