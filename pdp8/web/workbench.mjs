@@ -28,7 +28,7 @@ import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/text.mjs";
 import { html, ours, put } from "./html.mjs";
 import { READABLE } from "./pictures.mjs";
-import { bytes, set } from "./translator/runtime.mjs";
+import { bytes } from "./translator/runtime.mjs";
 import { Writer } from "./sheet.mjs";
 import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
@@ -96,7 +96,6 @@ export class Bench {
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
     this.machine = this.like(machine);
-    this.machine.watch.breakpoints = set(machine.watch.breakpoints); // not also those of the afternoon
     if (stops) this.machine.panel.stop();
     this.remember();
   }
@@ -107,7 +106,7 @@ export class Bench {
     const others = machine.devices.map((each) => /** @type {new () => typeof each} */ (each.constructor)).filter((made) => !usual.includes(made));
     const copy = new Machine([...devices, ...others.map((made) => new made()), ...more], memory);
     copy.put(machine.values());
-    copy.watch.breakpoints = machine.watch.breakpoints;
+    copy.watch.breakpoints.update(machine.watch.breakpoints);
     return copy;
   }
 

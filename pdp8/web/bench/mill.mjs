@@ -114,7 +114,7 @@ export class Mill {
   }
 
   save() {
-    this.bench.download(this.name.replace(/(\.eia)?$/, ".eia"), Uint8Array.from(this.tape.frames));
+    this.bench.download(String(this.name).replace(/(\.eia)?$/, ".eia"), Uint8Array.from(this.tape.frames));
   }
 
   /** How many blocks were cut, and how long it takes. */

@@ -91,7 +91,7 @@ pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
 pdp8 part circel -> there is no command 'circel'; did you mean circle?
 pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
 pdp8 run -> give a PROGRAM, or --restore
-pdp8 run hello.pal --restore x -> give a PROGRAM, or --restore
+pdp8 run hello.pal --restore x -> give a PROGRAM or --restore FILE, not both
 pdp8 run --restore x --boot -> --boot does not go with --restore
 pdp8 run hello.pal --force -> --force means nothing for hello.pal: it is no tape that may be damaged.
 pdp8 run hello.pal --loader x -> --loader means nothing without --boot
