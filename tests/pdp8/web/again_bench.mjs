@@ -490,13 +490,16 @@ export const cases = {
     let remembered = 0;
     const got = [];
     const bench = await desk({ remember: () => (remembered += 1), download: (name, frames) => got.push(name, frames.length) });
-    bench.like = (machine, more, memory) => Object.assign(machine, { devices: [...machine.devices, ...more], held: memory });
+    bench.like = (own, more, memory) => Object.assign(own, { devices: [...own.devices, ...more], held: memory });
     const drives = new Drives(bench);
     find("reels").children = [];
     const state = () => (drives.show(), [drives.units.map(({ hidden }) => hidden), find("boot-reel").disabled]);
     const seen = [state(), drives.takes("a.TU56", []), drives.takes("a.tu5", [])];
     const frames = blank().content();
-    for (const name of ["a", "b", "c"]) drives.mount(name, frames), seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
+    for (const name of ["a", "b", "c"]) {
+      drives.mount(name, frames);
+      seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
+    }
     seen.push(bench.machine.held, bench.machine.devices.filter((each) => each instanceof TC08).length);
     const [drive] = drives.control.drives;
     const shown = [0, 0.5, 1].map((part) => {

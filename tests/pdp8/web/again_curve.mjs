@@ -231,7 +231,7 @@ export const cases = {
       const { to, x, y } = figure.draw({ tolerance: 60, place }, 700)[3].place;
       return Math.abs(to({ x, y }) - place) < 40 && [to({ x: x - 900 }), to({ x: x + 900 })].join();
     });
-    const [wide, narrow] = [60, 20].map((tolerance) => figure.draw({ tolerance, place: 0 }, 700)[3].tolerance);
+    const [wide, narrow] = [60, 20].map((within) => figure.draw({ tolerance: within, place: 0 }, 700)[3].tolerance);
     const band = [wide.y < narrow.y, wide.x === narrow.x, wide.to({ dy: 0, start: 20 }), wide.to({ dy: -30, start: 20 })];
     globalThis.setTimeout = real;
     return [[seen, said.includes("goes another way"), along, band], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true, Array(5).fill("0,1000"), [true, true, 20, 30]]];
