@@ -85,12 +85,15 @@ def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
     if not end:
         raise TapeError("no row is punched: the tape is empty or blank")
     first = frames.find(END_OF_BLOCK) + 1 if strict else _first_row(frames)
-    kept = [at for at in range(first, end) if not (strict and frames[at] == _DELETE)]
+    last = end if strict else len(frames)  # without parity a zero is blank, in the last block too
+    kept = [at for at in range(first, last) if not (strict and frames[at] == _DELETE)]
     if not kept:
         raise TapeError("no row is read: later controls begin after the first end of block")
     passed = bytes(frames[at] for at in kept)
     sensed = passed.translate(_STRICT if strict else _SENSED)
     for number, at in enumerate(range(0, len(kept), ROWS), 1):
+        if kept[at] >= end:
+            return
         rows = sensed[at : at + ROWS]
         place = Row(number, kept[at : at + ROWS])
         if len(rows) < ROWS or rows[-1] != _END or not rows[:-1].isdigit():
