@@ -84,12 +84,14 @@ def read(frames: bytes, strict: bool) -> Iterator[tuple[Row, Block]]:
     end = len(frames.rstrip(b"\0"))
     if not end:
         raise TapeError("no row is punched: the tape is empty or blank")
-    first = frames.find(END_OF_BLOCK) + 1 if strict else _first_row(frames)
-    last = end if strict else len(frames)  # without parity a zero is blank, in the last block too
-    kept = [at for at in range(first, last) if not (strict and frames[at] == _DELETE)]
-    if not kept:
-        raise TapeError("no row is read: later controls begin after the first end of block")
-    passed = bytes(frames[at] for at in kept)
+    if strict:
+        kept = [at for at in range(frames.find(END_OF_BLOCK) + 1, end) if frames[at] != _DELETE]
+        passed = bytes(frames[at] for at in kept)
+        if not kept:
+            raise TapeError("no row is read: later controls begin after the first end of block")
+    else:  # without parity a zero is blank, in the last block too
+        kept = list(range(_first_row(frames), len(frames)))
+        passed = frames[kept[0] :]
     sensed = passed.translate(_STRICT if strict else _SENSED)
     for number, at in enumerate(range(0, len(kept), ROWS), 1):
         if kept[at] >= end:
