@@ -67,7 +67,8 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
     width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
     blocks, rest = divmod(len(content), 2 * width)
     if rest or not 0 < blocks <= BLOCKS or len(content) in _OTHERS:
-        what = f": {image(len(content))}" if image(len(content)) else ""
+        known = image(len(content))
+        what = f": {known}" if known else ""
         lengths = " or ".join(f"{each:,}" for each in _LENGTHS)
         ends = f"a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"
         raise TapeError(f"{len(content):,} bytes{what}; {ends}")

@@ -40,7 +40,7 @@ class Doubt(NamedTuple):
 def find(
     frames: bytes, code: Code | None = None, parts: Sequence[tuple[range, Code]] | None = None
 ) -> list[Doubt]:
-    """Return the doubtful frames of a tape in `code`, with `others` in it; what is not given is found."""
+    """Return the doubtful frames of a tape in `code`, `parts` of it in others; what is not given is found."""
     code = code or codes.recognise(frames)
     parts = others(frames, code) if parts is None else parts
     found = [_other(part, frames[part.start], other, code) for part, other in parts]

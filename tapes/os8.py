@@ -62,7 +62,8 @@ def directory(image: Image) -> list[Entry]:
 
 def listing(image: Image) -> str:
     """Return the directory as text: name, length, first block, date."""
-    entries = directory(image)
+    places = _places(image)
+    entries = [place.entry for place in places if not place.is_open]
     rows = [
         f"{each.name or '<empty>':9}  {each.length:3}  {each.block:04o}  {_date(each.date)}".rstrip()
         for each in entries
@@ -70,7 +71,7 @@ def listing(image: Image) -> str:
     free = sum(each.length for each in entries if not each.name)
     files = sum(bool(each.name) for each in entries)
     rows.append(f"{files} files in {sum(each.length for each in entries) - free} blocks, {free} free")
-    is_open = [place.entry.name for place in _places(image) if place.is_open]
+    is_open = [place.entry.name for place in places if place.is_open]
     rows += [f"{name} was opened for output and not closed: OS/8 does not list it" for name in is_open]
     return "\n".join(rows)
 
