@@ -11,7 +11,7 @@ import click
 from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
-from pdp8.cli.shared.rules import field, of, option
+from pdp8.cli.shared.rules import field, flag, of, option
 from tapes.errors import WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
@@ -70,11 +70,12 @@ def _is_metric(ctx: click.Context | None) -> bool:
 class Metric:
     """The unit of lengths that are given and written."""
 
-    mm: bool = field(
-        "--mm",
-        "Lengths are millimetres, given and written; those of an expression stay inches.",
-        is_eager=True,
-        is_flag=True,
+    mm: bool = of(
+        flag(
+            "--mm",
+            "Lengths are millimetres, given and written; those of an expression stay inches.",
+            is_eager=True,
+        )
     )
 
     @property
@@ -120,10 +121,11 @@ class Tape:
     """A tape and its reading options."""
 
     name: str = of(click.argument("name", type=Source(), metavar="[FILE.eia]", default="-"))
-    strict: bool = field(
-        "--strict",
-        "Read as later controls did: from the first end of block on, odd parity, no blank rows.",
-        is_flag=True,
+    strict: bool = of(
+        flag(
+            "--strict",
+            "Read as later controls did: from the first end of block on, odd parity, no blank rows.",
+        )
     )
 
 

@@ -18,7 +18,7 @@ from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
 from pdp8.cli.shared.parameters import octal, seconds
-from pdp8.cli.shared.rules import declared, field, is_given, of
+from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
@@ -99,10 +99,8 @@ class Options:
         "--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk"
     )
     printer: str | None = field("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
-    keyboard: bool = field(
-        "--keyboard",
-        "Type at the Teletype and see it print; Ctrl-] stops and opens the monitor.",
-        is_flag=True,
+    keyboard: bool = of(
+        flag("--keyboard", "Type at the Teletype and see it print; Ctrl-] stops and opens the monitor.")
     )
     line: str | None = field(
         "--line",
@@ -125,14 +123,11 @@ class Options:
         needs="--line",
     )
     max_time: float | None = field("--max-time", "Stop after this machine time.", seconds, metavar="SECONDS")
-    realtime: bool = field(
-        "--realtime", "Run no faster than a PDP-8/L did: 10 frames a second.", is_flag=True
-    )
-    boot: bool = field(
-        "--boot",
-        "From cold: toggle RIM in, read the BIN loader, read the program.",
-        excludes="--restore",
-        is_flag=True,
+    realtime: bool = of(flag("--realtime", "Run no faster than a PDP-8/L did: 10 frames a second."))
+    boot: bool = of(
+        flag(
+            "--boot", "From cold: toggle RIM in, read the BIN loader, read the program.", excludes="--restore"
+        )
     )
     loader: str | None = field(
         "--loader",
@@ -148,17 +143,12 @@ class Options:
         needs="PROGRAM",
         show_default=False,
     )
-    force: bool = field(
-        "--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM", is_flag=True
-    )
+    force: bool = of(flag("--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM"))
     trace: str | None = field(
         "--trace", "Write each instruction: time, L AC, MA MB, its listing.", Target("text")
     )
-    count: bool = field(
-        "--count",
-        "Count instructions, cycles, waiting; a table as the run ends.",
-        excludes="--trace",
-        is_flag=True,
+    count: bool = of(
+        flag("--count", "Count instructions, cycles, waiting; a table as the run ends.", excludes="--trace")
     )
     annotate: str | None = field(
         "--annotate",
@@ -173,7 +163,7 @@ class Options:
         "there. --sr sets the switches, --reader changes the tape (- for standard input).",
         Source(),
     )
-    quiet: bool = field("--quiet", "Do not say how the run ended, unless it failed.", is_flag=True)
+    quiet: bool = of(flag("--quiet", "Do not say how the run ended, unless it failed."))
 
 
 @click.command(cls=Command, context_settings={"allow_extra_args": True})

@@ -13,7 +13,7 @@ file, with status 2; what depends on the tape that is read is checked by the com
 
     @dataclass(frozen=True)
     class Feeding:
-        strict: bool = field("--strict", "...", is_flag=True)
+        strict: bool = of(flag("--strict", "..."))
 """
 
 import dataclasses
@@ -50,9 +50,7 @@ def option(names: str, help: str, type: Any = None, **settings: Any) -> Callable
 
     `names` are separated by blanks; `settings` are those of click, and of `Option`.
     """
-    settings = {
-        "show_default": settings.get("default") not in (None, "") and "[default:" not in help
-    } | settings
+    settings.setdefault("show_default", settings.get("default") not in (None, "") and "[default:" not in help)
     return click.option(*names.split(), cls=Option, help=help, type=type, **settings)
 
 
