@@ -97,7 +97,7 @@ if __name__ == "__main__":
     parser.add_argument("--seed", type=int, default=0, help="of the drawing [0]")
     parser.add_argument("--since", metavar="REF", help="only on lines that differ from this commit")
     parser.add_argument(
-        "--near", action="store_true", help="by the tests alone that run the changed line: no fewer survive"
+        "--near", action="store_true", help="only by the tests that run the changed line: no fewer survive"
     )
     parser.add_argument("-j", "--jobs", type=int, default=1, help="how many at once [1]")
     found = parser.parse_args()

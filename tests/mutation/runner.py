@@ -254,7 +254,7 @@ def _try(runs: Runs, near: bool, copy: Path, trial: Trial) -> int:
     unchecked = (1).to_bytes(4, "little") + bytes(8)  # by a hash of the source, which is not looked at
     code = marshal.dumps(mutant.code(str(copy / file)))
     _bytecode(copy, file).write_bytes(MAGIC_NUMBER + unchecked + code)
-    lines = mutant.lines if mutant.scope or not near else ()  # an import is the first test's alone
+    lines = mutant.lines if mutant.scope or not near else ()  # an import runs in the first test only
     first = {name for line in lines for name in runs.tests.get((file, line), ())}
     if not first:
         first = {name for (other, _), names in runs.tests.items() if other == file for name in names}
