@@ -58,7 +58,7 @@ class Stations:
 
 
 class Curve(ABC):
-    """A curve to sample; the cutter's centre goes `beside` a surface; the path gives a `guessed` one."""
+    """A curve, to be sampled; the cutter's centre goes `beside` it, at a distance that may be 0."""
 
     closed: ClassVar[bool] = False
     guessed: bool = False
@@ -91,7 +91,7 @@ class Curve(ABC):
 
     @abstractmethod
     def said(self, unit: Unit) -> str:
-        """Return a description of the curve and its place."""
+        """Return a description of the curve and of where it is."""
 
     def __str__(self) -> str:
         return self.said(INCH)

@@ -14,7 +14,7 @@ _SHOWN = 5
 
 
 def notes(frames: bytes) -> tuple[str, ...]:
-    """Return what is doubtful on an EIA tape but not noticed by the reader, which does not check parity."""
+    """Return what is doubtful on an EIA tape and passes the reader unnoticed, as it does not check parity."""
     found = doubts.find(frames, codes.EIA) if codes.recognise(frames) is codes.EIA else []
     uneven = dict(codes.EIA.uneven(frames))
     found = [doubt for doubt in found if doubt.seen and doubt.frame not in uneven]

@@ -139,7 +139,7 @@ def _positions(path: Path, unit: Unit) -> list[str]:
 
 
 class _Program:
-    """The program so far, where it has left the mill, its reach, and its feeds and speeds as `rates`."""
+    """The program so far: where it leaves the mill, how far it reaches, its feed and speed (`rates`)."""
 
     def __init__(self, top: int, output: Output) -> None:
         self.top, self.output = top, output
@@ -155,7 +155,7 @@ class _Program:
         self._go("G0", z=output.safe)
 
     def carry_out(self, step: Step) -> None:
-        """Write what a block cuts; what it stops for waits until another cut follows."""
+        """Write the cuts of a block. A stop in it is written before the next cut, if one follows."""
         for move in step.moves:
             if move.kind in _FED:
                 self._cut(step, move, f" (N{step.number})")
@@ -201,7 +201,7 @@ class _Program:
             self._go("G1", note, speed, end_x, end_y, end_z)
 
     def _stop(self) -> None:
-        """Write the stops that waited for this cut; afterwards the mill may be anywhere, at rest."""
+        """Write the stops since the last cut; where the mill is after a stop is not known."""
         for code, what in self._waiting:
             if code == "M0" and not self.rates[0]:
                 self.left_out.append(what)

@@ -276,7 +276,7 @@ def _cut_through(enter: Floats, leave: Floats, radius: float, part_wall: str) ->
 
 
 def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
-    """Whether the wall `off` the curve remains after a cutter of that radius goes along `path`."""
+    """Whether a wall so far `off` the curve remains after a cutter of that radius has gone along `path`."""
     some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
     wall = stations.points[some] + off * stations.normals[some]
     left = np.isnan(_off(wall, _at(path), abs(off) - _LEFT))
@@ -284,7 +284,7 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
 
 
 def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
-    """The walls by their distance from the edge; the normal is not the nearest way where a tip is cut off."""
+    """Measure the part's wall from the edge's nearest point: near a cut-off tip it is not on the normal."""
     if not (measured.part_wall and len(curve.tips)):
         return measured
     edge, here = (

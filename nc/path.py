@@ -241,7 +241,7 @@ class Path:
 
     @property
     def first(self) -> Place:
-        """The place where cutting begins, before any block is read."""
+        """The cutter's place before it first cuts, as if no block had been read."""
         cuts = (at for at, knot in enumerate(self.knots) if knot.down)
         knot = max(1, next(cuts, 1)) - 1
         return Place(knot, self.knots[knot].x, self.knots[knot].y, False, -1)

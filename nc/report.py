@@ -101,7 +101,7 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
     yield (
         f"worst trough to peak {unit.error(worst.trough_to_peak)} {unit.name}: {worst.wall} wall, "
         f"{worst.place}, from {unit.signed(worst.lowest)} to {unit.signed(worst.highest)}"
-        + (f"; thesis {_WORST_1971}" if _is_the_thesiss(inspection) else "")
+        + (f"; thesis {_WORST_1971}" if _is_of_the_thesis(inspection) else "")
     )
     diagonal = [each.trough_to_peak for each in inspection.readings if _is_diagonal(each)]
     if diagonal:
@@ -127,7 +127,7 @@ def _verdict(inspection: Inspection, unit: Unit) -> str:
 
 
 def _readings(inspection: Inspection, unit: Unit) -> Iterator[str]:
-    is_thesis = _is_the_thesiss(inspection)
+    is_thesis = _is_of_the_thesis(inspection)
     heading = f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak"
     yield f"{heading}   thesis" if is_thesis else heading
     for reading in inspection.readings:
@@ -140,6 +140,6 @@ def _is_diagonal(reading: Reading) -> bool:
     return reading.angle is not None and reading.angle % 90 == 45
 
 
-def _is_the_thesiss(inspection: Inspection) -> bool:
+def _is_of_the_thesis(inspection: Inspection) -> bool:
     """Whether this is the circle that the thesis measured: cut step-wise, by its cutter."""
     return inspection.stepwise and (inspection.curve, inspection.cutter) == THESIS_CIRCLE

@@ -76,7 +76,7 @@ class Written:
     address  where it is loaded, the field above the twelve bits
     at       the item that ends its statement; in PAL8, the place of the statement
     names    the symbols it is made of, in the order of the source
-    literal  whether it is one of a pool; `link`, whether it refers to a literal that nobody wrote
+    literal  whether it is a literal; `link`, whether it refers through a pointer that PAL8 added
     """
 
     def __init__(

@@ -70,7 +70,7 @@ class Constant(NamedTuple):
         return value
 
     def ask(self, kept: Any) -> Any:
-        """Return what to type for a value that is `kept`; None, a flag and a name stay as they are."""
+        """Return the value as a user types it, from what is `kept`; None, a flag and a name are unchanged."""
         if kept is not None and self.unit is not None:
             return self.unit.ask(kept)
         if self.places:

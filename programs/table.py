@@ -225,7 +225,7 @@ class _Table:
 
     @property
     def _unnamed(self) -> int:
-        """The column of x without a header: after one that counts, or has no number."""
+        """Return the column of x without a header: the second if the first counts or is empty."""
         first = [row.values[0] and row.values[0][0] for row in self._rows]
         counts = (
             len(first) > 2 and first[0] in (0, 1) and first == [first[0] + at for at in range(len(first))]

@@ -36,7 +36,7 @@ class Rule(NamedTuple):
 
 
 class Code:
-    """A tape code; of this class itself, one in which no frame says anything.
+    """A tape code. An object of this class itself is a code in which no frame has a meaning.
 
     name      as the options --code and --to take it
     title     as `pdp8 tape info` calls it

@@ -171,7 +171,7 @@ def _frame(row: _Row, x: int, top: int) -> Iterator[str]:
 
 
 def track(channel: int) -> int:
-    """Return how far a channel's holes lie from the edge beside channel 1."""
+    """Return the distance of a channel's holes from the edge beside channel 1."""
     return SPROCKET_TRACK + PITCH * (channel - 4 if channel < 4 else channel - 3)
 
 

@@ -28,7 +28,10 @@ _MOST_CHANNELS = 24
 
 
 def propose(frames: bytes, doubtful: Mapping[int, int]) -> tuple[dict[int, int], str]:
-    """Return {number: value} that a rule gives `doubtful` frames, {number: mask}, and which; or ({}, "")."""
+    """Return the values that a rule gives to `doubtful` frames, and the rule; ({}, "") if no rule does.
+
+    The frames are {number: mask of the doubtful channels}; the result is {number: value}.
+    """
     code = codes.recognise(frames)
     if code.sums_up(frames) is not None:
         return _by_checksum(code, frames, doubtful)

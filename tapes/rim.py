@@ -71,7 +71,7 @@ class Reading(NamedTuple):
 
 
 def decode(frames: bytes) -> dict[int, int]:
-    """Return {address: word}, the later of two. Raises TapeError, naming the frame, for a damaged tape."""
+    """Return {address: word}, the later where an address comes twice. Raises TapeError, naming the frame."""
     reading = read(frames)
     if reading.damage:
         raise reading.damage

@@ -39,7 +39,7 @@ class Expression:
         self.names: list[str] = []
 
     def word(self, start: int, looked_up: bool) -> int:
-        """Return the value of a word that begins at column `start`; its first symbol may be looked up."""
+        """Return the value of a word that begins at column `start`, its first symbol perhaps looked up."""
         self.names = []
         return self._read(start, looked_up, True, 0)
 

@@ -136,7 +136,7 @@ class Operators:
                 self.assign(name, REFERENCE, start, end)
 
     def pause(self) -> None:
-        """PAUSE: DEC's reads no more of the file; here the rest is read."""
+        """PAUSE: DEC's PAL8 reads no more of the file; here the rest is read."""
         lexer = self._lexer
         if self._exact:
             lexer.end_file()
@@ -149,7 +149,7 @@ class Operators:
                 break
 
     def eject(self) -> None:
-        """EJECT: pass over the title of a page of the listing, up to a `;` or comment."""
+        """EJECT: ignore the new page's title, which goes up to a `;` or comment."""
         while self._lexer.first not in "\n;":
             self._lexer.skip()
             self._lexer.pass_blank()
@@ -237,7 +237,7 @@ class Operators:
         lexer.go_to(lexer.before)
 
     def if_defined(self, name: str) -> None:
-        """IFDEF, IFNDEF: in pass 2 what is defined below is defined."""
+        """IFDEF, IFNDEF: in pass 2 a symbol that is only defined further on counts as defined."""
         if self._find_token("", worded("IC asked", name=name), True):
             self._condition(self._is_undefined() == (name == "IFNDEF"))
 

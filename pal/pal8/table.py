@@ -25,14 +25,14 @@ class Symbol:
 class SymbolTable:
     """The symbols by their names, and the one that was looked up last.
 
-    DEC's keeps `found` and `last` from statement to statement, and takes them where a term is missing.
+    DEC's PAL8 keeps `found` and `last` from one statement to the next, and uses them for a missing term.
     EXPUNGE and FIXTAB clear them, in pass 1.
 
     known         {name: symbol}
     found         the symbol looked up last; `found_at`, its column
     last          the value of the symbol or number read last
     is_undefined  whether `found` is undefined
-    undefined     whether something in the expression read last is undefined: not 0
+    undefined     not 0 if something in the expression read last is undefined
     """
 
     def __init__(self, lexer: Lexer, log: Log, exact: bool) -> None:

@@ -256,7 +256,7 @@ def _program(options: Options, explicit: Collection[str | None]) -> "Program | N
 
 
 def _paged(options: Options) -> bool:
-    """Whether a keyboard or a line has the Teletype, so that no tape goes to standard output."""
+    """Whether somebody is at the Teletype, by keyboard or line, so that no tape goes to standard output."""
     return options.keyboard or bool(options.line)
 
 
@@ -432,7 +432,7 @@ def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Va
 
 
 def _tell_of_channel_8(options: Options, machine: Machine) -> None:
-    """Say how to make text of what is printed into a pipe, as frames with channel 8."""
+    """Say how to get text from what was printed: a pipe receives frames, with channel 8."""
     if options.punch is not None or _paged(options) or not stat.S_ISFIFO(os.fstat(1).st_mode):
         return
     frames = machine.teletype.punch.tape

@@ -47,7 +47,7 @@ _STATES = (
 
 
 class Columns(NamedTuple):
-    """The columns before the first lamp, for a lamp and switch, and for a state's words; whether wide."""
+    """Widths in columns: of the label before the lamps, of a lamp, of the names of states."""
 
     label: int
     lamp: int

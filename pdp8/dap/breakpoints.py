@@ -109,7 +109,7 @@ class Point:
         return body | {"instructionReference": reference(self.address)}
 
     def stops(self, now: int, say: list[str]) -> bool:
-        """Whether a run that reaches it after `now` instructions stops; a log message is said instead."""
+        """Whether a run stops that reaches it after `now` instructions; a log message never stops it."""
         if self.asked.get("hitCondition") and (self._condition is None or self._condition()):
             self._hits[bisect_left(self._hits, now) :] = [now]
         if not self._met(now):
@@ -188,7 +188,7 @@ class Breakpoints:
         watch.reads = {address for point, address in placed if point.reads}
 
     def stopped(self, machine: Machine) -> list[Point]:
-        """Return those at which a run to a machine's present state has stopped, or would have."""
+        """Return those at which a run that ended in the machine's state has stopped, or would have."""
         return [point for point in self.hit(machine) if point.stopped(machine.instructions)]
 
     def hit(self, machine: Machine) -> list[Point]:

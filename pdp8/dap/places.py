@@ -107,7 +107,7 @@ class Places:
             return Text(file.read().decode("utf-8", "replace")).lines
 
     def went(self, source: Body, line: int, before: Sequence[str]) -> int:
-        """Return a line's new place after edits of its source, or that of its replacement."""
+        """Return where a line is after edits of its source; if it was replaced, where its replacement is."""
         at = line - self._first
         edits = SequenceMatcher(None, before, self.text(source)).get_opcodes()
         for _, first, last, start, end in edits:

@@ -152,7 +152,7 @@ def set_lines(debuggee: Debuggee, arguments: Body) -> Body:
 
 
 def setting(kind: str, *names: str) -> Callable[[Debuggee, Body], Body]:
-    """Return a function that sets one type of breakpoints; `names` tell them apart."""
+    """Return a function that sets one type of breakpoints; their fields `names` tell one from another."""
 
     def set_(debuggee: Debuggee, arguments: Body) -> Body:
         asked = [(tuple(point.get(name) for name in names), point) for point in arguments["breakpoints"]]

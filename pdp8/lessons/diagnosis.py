@@ -69,7 +69,7 @@ WANTED = {
 
 
 def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[str, str]:
-    """What happened and its message where `trial`'s end is wrong; `whole` is the first START's trial."""
+    """Return what happened, and a message, where `trial` ended wrongly; `whole` has all its STARTs."""
     stop, first = outcome.stop, start(answer, trial)
     if stop.reason is Reason.BREAKPOINT:
         if outcome.instructions == 0:
@@ -140,7 +140,7 @@ def first_difference(one: Sequence[object], other: Sequence[object]) -> int:
 
 
 def _parity(expected: Sequence[object], got: Sequence[object], channel: int) -> bool:
-    """Tell whether nothing but a channel differs."""
+    """Tell whether frames or characters differ in this channel only."""
     if len(expected) != len(got):
         return False
     pairs = list(zip(expected, got, strict=True))

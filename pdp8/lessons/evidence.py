@@ -52,7 +52,7 @@ def of_words(place: str, seen: Sequence[Word]) -> str:
 
 
 def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) -> dict[str, int]:
-    """Return {formula: value} from inputs, `by_wanted` also from the expected word; # is the `first`'s."""
+    """Return {formula: value} of inputs, `by_wanted` of the expected word too; # is a number by `first`."""
     found: dict[str, int] = {}
     wanted, values = seen.expected, seen.inputs
     for name in names:
@@ -85,7 +85,7 @@ def _formulas(seen: Word, names: Sequence[str], first: Word, by_wanted: bool) ->
 
 
 def _near(found: dict[str, int], if_more: str, if_less: str, number: int, to: int) -> None:
-    """Add the formula for `number` more than `to`, or less, if it is small."""
+    """Add formula `if_more` if `number` is small, `if_less` if -`number` is; its value is `to` + `number`."""
     more, less = number & 0o7777, -number & 0o7777
     if more <= _FEW:
         found[if_more.replace("#", f"{more:o}")] = to + more
@@ -129,7 +129,7 @@ def _missing(seen: Sequence[Text]) -> str:
 
 
 def _in_octal(seen: Text) -> bool:
-    """Tell whether the digits that came are in octal what should come in decimal."""
+    """Tell whether the digits are the octal form of a number that is expected in decimal."""
     wanted, found = ("".join(chr(code) for code in codes) for codes in (seen.expected, seen.got))
     digits = wanted.isdigit() and found.isdigit() and "8" not in found and "9" not in found
     return digits and int(wanted) == int(found, 8)

@@ -24,7 +24,7 @@ _TOGETHER = 6
 
 @dataclass(frozen=True)
 class Failure:
-    """One wrong result, a tape's as holes; `happened` is diagnosis's word; hidden cases have no values."""
+    """One wrong result; bytes are a tape. `happened` is a word of diagnosis; a hidden case has no values."""
 
     what: str
     expected: str | bytes
@@ -34,7 +34,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class Mark:
-    """What one case or question brought, with its failed trial's `inputs`; `given` answers are not marked."""
+    """The mark of a case or question, with a failed trial's `inputs`; a `given` answer has no mark."""
 
     name: str
     points: int

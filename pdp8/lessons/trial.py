@@ -87,12 +87,12 @@ def _has(answer: Answer, place: str) -> bool:
 
 
 def start(answer: Answer, trial: Trial) -> int:
-    """Return the address of the first of the places at which the trial may start that the answer has."""
+    """Return the address at which to start: of the trial's places, the first one that the answer has."""
     return next(answer.address(place) for place in trial.start if _has(answer, place))
 
 
 def run(answer: Answer, trial: Trial) -> list[Outcome]:
-    """Run `answer` as the trial says; return what the last of its `starts` brought, then each `again`."""
+    """Run `answer` as the trial says; return the outcome of its last START, then that of each `again`."""
     tried = Tried(answer, trial)
     outcomes = [tried.outcome(number) for number in range(len(tried.starts))]
     return outcomes[trial.starts - 1 :]

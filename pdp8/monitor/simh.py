@@ -120,7 +120,7 @@ def show(monitor: Monitor, *what: str) -> None:
 
 
 def passed_over(monitor: Monitor, *words: str) -> None:
-    """Do nothing: a script of SIMH's may have it."""
+    """Do nothing: it is in scripts of SIMH's, and has no meaning here."""
 
 
 def set_(monitor: Monitor, name: str, *values: str) -> None:

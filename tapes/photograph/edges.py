@@ -22,7 +22,7 @@ _PROFILE = np.arange(-8, 9) / SAMPLES
 
 
 class Side(NamedTuple):
-    """Which track of a sheet is the sprocket track, and on which side of it are three channels: -1 or 1."""
+    """The number of the sprocket track, and on which side of it are three channels: -1 or 1."""
 
     track: int
     three: int

@@ -66,7 +66,7 @@ def _refined(pictures: Sizes, sheet: Sheet, row: Row) -> tuple[Sheet, Flat, Arra
 
 
 def _longer(flat: Flat, sheet: Sheet, row: Row, pictures: Sizes) -> tuple[Row, int]:
-    """The row with sprocket holes seen beyond its ends, within the picture; how many come before it."""
+    """Return the row, lengthened by sprocket holes seen beyond its ends, and how many were added in front."""
     spots = find_spots(flat.dark)
     u = np.arange(sheet.length, dtype=float)
     limit = 0.5 * np.median(flat.take(spots, u, 0 * u))

@@ -135,7 +135,7 @@ def _ordered(strips: list[Strip], underside: bool) -> list[Strip]:
 
 
 def _sure(strips: list[Strip]) -> int:
-    """Return how many frames are sure in strips that can be read."""
+    """Return how many frames are certain in the strips that can be read."""
     return sum(not frame.doubtful for strip in strips if not strip.why for frame in strip.frames)
 
 

@@ -83,7 +83,7 @@ class Feed:
         return True
 
     def _more(self) -> bytes:
-        """Return the pipe's next frames when there are some, none at its end."""
+        """Wait for the pipe's next frames and return them; none at its end, or where `idle` gives up."""
         try:
             while not select.select([self._file], [], [], 0)[0]:
                 if self.idle():

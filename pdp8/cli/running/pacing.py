@@ -60,7 +60,7 @@ def live(
     take: Callable[[float], bytes | None],
     realtime: bool = True,
 ) -> Stop | None:
-    """Run with a user at the Teletype; `take` returns the keys, or None, with which the run ends."""
+    """Run with a user at the Teletype; `take` returns the keys that were pressed, or None to end the run."""
     began = time.monotonic() - machine.elapsed
     for stop in machine.slices(max_time, *_REALTIME, through_waits=True):
         pass_on()

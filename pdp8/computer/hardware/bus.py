@@ -88,7 +88,7 @@ class Device:
         """Note that a tape, key or lever has changed; the device acts when time goes on."""
 
     def finish(self) -> None:
-        """Finish what the mechanism has begun, as the processor is stopped; the flag keeps its time."""
+        """The processor has stopped: finish what the mechanism has begun; the flag rises when it is due."""
 
     def out_of_tape(self) -> bool:
         """Tell whether the program asked for a frame of a tape that has run out."""

@@ -201,7 +201,7 @@ class Receiver(Device):
         self.lost_at = 0
 
     def look(self) -> None:
-        """Look whether something waits for the line, as soon as time goes on."""
+        """Note that a key, tape or lever has changed; `advance` looks whether the line has to begin."""
         if self.step == self.edge:
             self.step = NEVER
         self.edge = NEVER
@@ -262,7 +262,7 @@ class Receiver(Device):
         return -1
 
     def units(self, pulse: int) -> int:
-        """Return the line's units as bits, the one before a pulse lowest; mark follows the last."""
+        """Return the line's units as bits, that which `pulse` sees the lowest; mark follows the last."""
         since = PARTS * (self.origin - self.start) + EIGHTH * pulse
         return (self.line | _MARKS) >> min(max(since - 1, 0) // (2 * HALF_UNIT), 11)
 
@@ -543,7 +543,7 @@ class Transmitter(Device):
         return line
 
     def finish(self) -> None:
-        """Print and punch what is on the line, as the processor is halted; flag and line keep times."""
+        """The processor has stopped: print and punch what is on the line. Flag and line keep their times."""
         line = self.line()
         frames = 0
         while (time := line.next_step()) < NEVER:

@@ -26,7 +26,7 @@ _GLANCE = TICKS_PER_SECOND // 100
 
 
 class Goal:
-    """No goal: a run ends by itself, or at a breakpoint."""
+    """How far to run; this one sets no end, so that a run ends by itself or at a breakpoint."""
 
     def __init__(self) -> None:
         self.said = ""

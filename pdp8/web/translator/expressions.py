@@ -520,7 +520,7 @@ class Expressions(Types):
         return named(name)
 
     def _as_value(self, node: ast.expr, found: Found) -> str:
-        """Return a function of Python's own, or a class, that is given to another."""
+        """Return a built-in function or a class that is passed as an argument."""
         takes = self.lambdas.get(node)
         if takes is None and len(variants := self.program.variants(found)) == 1:
             takes = self._takes(variants[0])

@@ -467,7 +467,7 @@ class Types:
         return made(names[type(node)], kind)
 
     def taken(self, node: ast.Lambda) -> dict[str, Type]:
-        """Return the parameters of a lambda, with the types that are known of where it is given."""
+        """Return the parameters of a lambda with their types, ANY where nothing says the type."""
         kinds = self.lambdas.get(node, [])
         return {each.arg: kinds[at] if at < len(kinds) else ANY for at, each in enumerate(node.args.args)}
 
@@ -548,7 +548,7 @@ class Types:
         return kind.of[0] if kind.name == "call" else ANY
 
     def expect(self, value: ast.expr, wanted: Type) -> None:
-        """Record what the functions in a value take, whose type is `wanted`."""
+        """Record the parameters' types of the lambdas in a value, which has to be of type `wanted`."""
         match value:
             case ast.Lambda():
                 takes = [each for kind in either(wanted) if kind.name == "call" for each in kind.of[1:]]
@@ -605,7 +605,7 @@ class Types:
         return given
 
     def _given(self, value: ast.expr, wanted: Type, given: dict[str, Type]) -> None:
-        """Record what a function that is an argument takes, and what its result says of type variables."""
+        """Record the parameters' types of an argument that is a function, and what type its result is."""
         forms = [kind for kind in either(wanted) if kind.name == "call"]
         takes = self.lambdas[value] = [filled(each, given) for kind in forms for each in kind.of[1:]]
         kind, found = self.infer(value), self.found(value)
@@ -617,7 +617,7 @@ class Types:
 
     @contextmanager
     def applied(self, function: ast.expr, takes: list[Type]) -> Iterator[ast.Call]:
-        """Give a call of a function, with names as arguments that are of these types."""
+        """Yield a call of a function with an argument, a new name, of each of these types."""
         kinds = {f"$a{at}": kind for at, kind in enumerate(takes)}
         names: list[ast.expr] = [ast.copy_location(ast.Name(name, ast.Load()), function) for name in kinds]
         with self.naming(kinds):

@@ -30,7 +30,7 @@ class Parameter(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Where a name leads: the module it is defined in, and there what defines it; None for a module."""
+    """What a name means: the module that defines it, and the defining statement there; None for a module."""
 
     module: "Module"
     node: Any

@@ -284,7 +284,7 @@ class Statements(Calls):
                     self.fail(node, "a call as a default", "None and the value in the function")
 
     def put(self, target: ast.expr, value: str, node: ast.expr | None = None) -> str:
-        """Return the assignment of what is written as `value`, and was `node`."""
+        """Return the assignment of an expression, in JavaScript `value`, in Python `node`."""
         match target:
             case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 kind = self.known(of)
@@ -342,7 +342,7 @@ class Statements(Calls):
         return before + [self.put(target, once, value) for target, once, _, value in given]
 
     def _changed(self, node: ast.AugAssign, target: ast.expr, value: ast.expr) -> list[str]:
-        """Return `target += value`; what leads to the target is looked at once."""
+        """Return `target += value`; what leads to the target is evaluated once."""
         before, target = self._once(target)
         kind = without_none(self.infer(target))
         if isinstance(target, ast.Name | ast.Attribute) and kind in (*NUMBERS, BOOL):
