@@ -315,7 +315,7 @@ class Answers:
                     found.append(lsp.CodeAction(title, lsp.CodeActionKind.QuickFix, shown, edit=edit))
         if not document.assembly.ok:
             other, name = (PAL3, "PAL III") if document.dialect == PAL8 else (PAL8, "PAL8")
-            found.append(lsp.Command(f"Take it as {name}", _TAKE_AS, arguments=[uri, other]))
+            found.append(lsp.Command(f"Assemble it as {name}", _TAKE_AS, arguments=[uri, other]))
         return found
 
     def _formatting(self, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:

@@ -204,7 +204,7 @@ class _Table:
         counts = [value[0] for value in self._rows[0].values if value]
         if min(counts) >= _LISTED and sum(counts) == len(self._rows) - 1:
             raise self._rows[0].error(
-                "the numbers of points of two lists: join them to one, around the outline"
+                "the numbers of points of two lists: make one list of them, in order around the outline"
             )
         odd = [row for row in self._rows if row.values[0] is None]
         if len(odd) == 1 < len(self._rows) - 2:  # such as a sum

@@ -253,8 +253,8 @@ def _prove(exercise: Exercise, name: str, seed: int) -> None:
         raise WorkError(f"{exercise.name}: its own solution is not right\n{said}")
     marked, written = list(proof.mistakes(exercise)), proof.restated(exercise)
     slips = proof.slips(lambda number: form.read(name, number), seed)
-    faults = [f"taken for right: {what}" for what, result in marked if result.right]
-    faults += [f"taken for right with this seed, but not with each seed: {slip}" for slip in slips.lucky]
+    faults = [f"accepted as right: {what}" for what, result in marked if result.right]
+    faults += [f"accepted as right with this seed, but not with each seed: {slip}" for slip in slips.lucky]
     faults += [f"the solution, {how}, loses points" for how, result in written if not result.right]
     faults += proof.untold(exercise)
     if faults:

@@ -219,7 +219,7 @@ _FORMATS = {".dxf": "DXF"} | dict.fromkeys((".ngc", ".nc", ".gcode", ".tap", ".c
 @flag("--gcode", "G-code (RS-274) for today's mill: Z 0 is the top of the stock.")
 @option(
     "--safe",
-    "Height above the stock at which rapids go.  [default: 0.25]",
+    "Height of rapid moves above the stock.  [default: 0.25]",
     Inches(0.001, 5),
     excludes="--as-1971 --dxf",
 )

@@ -136,7 +136,7 @@ class Debuggee:
         if points:
             return _at(points)
         if not machine.panel.lamps.run and not machine.panel.sing_step:
-            return Halt(str(Reason.HALT), f"the machine stands; next is {machine.pc:04o}")
+            return Halt(str(Reason.HALT), f"the machine is stopped; next is {machine.pc:04o}")
         return Halt("pause")
 
     def _halted(self, stop: Stop) -> Halt | None:

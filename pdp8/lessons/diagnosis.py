@@ -43,19 +43,19 @@ LOOKED_AT = ("the end", "the time", "instructions", "the tape", "the page", "the
 """What may differ, beside the places that a trial looks at."""
 HINTS = {
     NO_WORD: "Begin the program where it is started: *200, say, before its first word.",
-    LEFT: "What stands behind your last instruction is executed too: HLT, or a jump, ends a program.",
+    LEFT: "What comes after your last instruction is executed too: HLT, or a jump, ends a program.",
     JUMPED: "Which jump goes there? JMS alone leaves an address to come back to; JMP does not.",
     AGAIN: "The flag of what was read stays up: KRB clears it, KRS does not.",
     NOT_STOPPED: "What is to end this loop? Look at its count, and at what the skip skips.",
     JUMP: "A jump to itself never ends. HLT stops the machine.",
     INPUT: "All there was has been read. How does the program know that it is done?",
     OUTPUT: "The flag goes up when a character is done: print one (TLS) before you wait for it (TSF).",
-    ITSELF: "Which DCA, ISZ or JMS writes there? Words of data stand where the program never comes.",
+    ITSELF: "Which DCA, ISZ or JMS writes there? Put data where the program never comes.",
     NOTHING: "TLS prints and punches what is in the AC.",
     SHORT: "It ends too soon, or does not wait until the last one is done.",
     LONG: "How often does the loop go round?",
     FIRST: "What is in the AC, and in L, before the first?",
-    SHIFTED: "From there on all is moved by one: one is lost, or comes twice.",
+    SHIFTED: "From there on everything is shifted by one: one is lost, or comes twice.",
     PARITY: "The characters are right; the channel for parity is not.",
 }
 _KRB = 0o6036

@@ -128,7 +128,7 @@ class Minute:
                 "SING STEP is on: it stops after each cycle. Press SING STEP, to turn it off.", "sing step"
             )
         if look.at == len(PROGRAM) and FIRST < look.pc < FIRST + len(PROGRAM):
-            return Step("It stands within your program. Press CONT: it goes on.", "cont")
+            return Step("It has stopped within your program. Press CONT: it goes on.", "cont")
         return self._put(look) if look.there else self._go(look)
 
     def _go(self, look: Look) -> Step:

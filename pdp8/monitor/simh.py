@@ -120,7 +120,7 @@ def show(monitor: Monitor, *what: str) -> None:
 
 
 def passed_over(monitor: Monitor, *words: str) -> None:
-    """Do nothing: it is in scripts of SIMH's, and has no meaning here."""
+    """Do nothing: scripts of SIMH's may have it."""
 
 
 def set_(monitor: Monitor, name: str, *values: str) -> None:
@@ -148,14 +148,14 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
         if value.startswith("en"):
             rack.fit(monitor, kind)
         elif value.startswith("dis") and rack.fitted(monitor, kind):
-            raise MonitorError(f"{name}: it is fitted")
+            raise MonitorError(f"{name}: it is fitted, and cannot be removed")
     elif what := rack.absent(monitor, name):
         if not value.startswith("dis"):
             raise MonitorError(f"{name}: {what}")
     elif kind not in _HAS[1:]:
         return name in _NOTHING_TO_SET
     elif value.startswith("dis"):
-        raise MonitorError(f"{name}: it is fitted; `reader stop` and `punch off` switch it off")
+        raise MonitorError(f"{name}: it cannot be removed; `reader stop` and `punch off` switch it off")
     return True
 
 

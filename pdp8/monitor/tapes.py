@@ -61,7 +61,7 @@ def _program(monitor: Monitor, name: str, force: bool) -> program.Program:
 
 def _forced(words: Sequence[str]) -> bool:
     if words not in ((), ("force",)):
-        raise MonitorError(f"{' '.join(words)}: after the name nothing but force")
+        raise MonitorError(f"{' '.join(words)}: only force may follow the name")
     return bool(words)
 
 

@@ -61,7 +61,7 @@ class Reading:
         wrong, by = redundancy.contradict(self.seen, doubtful, weakest)
         for number, mask in wrong.items():
             frame, of = tape[number]
-            tape[number] = frame._replace(open=mask, why=f"it is against {by}"), of
+            tape[number] = frame._replace(open=mask, why=f"it contradicts {by}"), of
         self.proposed, self.proposed_by = redundancy.propose(self.seen, doubtful | wrong)
         self._tape = [(number, *one) for number, one in enumerate(tape)]
 

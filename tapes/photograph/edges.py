@@ -53,7 +53,7 @@ def find_side(flat: Flat, sheet: Sheet) -> Side:
             raise TapeError("a five-channel tape: only tape of eight channels is read")
         raise TapeError(
             "the paper's edges are not 3.92 and 6.08 rows' distances from the sprocket holes; both have to be"
-            " in the picture, free, on something of another colour"
+            " in the picture, uncovered, on a background of another colour"
         )
     likely = [side for side in sides if side.share > 0.75 * best]
     found = min(likely, key=lambda side: (round(mass[side.track] / mass[0], 1), -side.share))

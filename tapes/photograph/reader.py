@@ -23,7 +23,7 @@ FEWEST_PIXELS = 5.2
 
 _ADVICE = {
     "holes are not at their places": "lay it flat, and photograph it from straight above",
-    "an edge of the paper is not seen": "both edges have to be free, on something of another colour",
+    "an edge of the paper is not seen": "both edges have to be uncovered, on a background of another colour",
     "paper that is not clear": "light it evenly",
     "too little light": "give it more light",
 }

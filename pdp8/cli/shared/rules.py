@@ -3,7 +3,7 @@
     flag("--cycles", "...", needs="--trace")              means nothing without --trace
     option("--fill", "...", int, needs="--to=ascii")      means nothing unless --to is ascii
     flag("--boot", "...", excludes="--restore")           does not go with --restore
-    flag("--prove", "...", only="EXERCISE --cpu")         goes with these alone; only="", with nothing
+    flag("--prove", "...", only="EXERCISE --cpu")         goes with these only; only="", with nothing
 
 Blanks separate names; one of those that an option `needs` is enough. An argument's name is in capitals; `=`
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
@@ -118,8 +118,8 @@ def check(ctx: click.Context) -> None:
             fitting = [param, *(known[word] for word in only.split())]
             beside = [words(other)[0] for other in given if other not in fitting]
             if beside:
-                alone = f"goes with {_told(only.split(), 'and')} alone" if only else "goes alone"
-                raise click.UsageError(f"{name} {alone}: leave out {_told(beside, 'and')}.")
+                alone = f"with {_told(only.split(), 'and')} only" if only else "alone"
+                raise click.UsageError(f"{name} is used {alone}: leave out {_told(beside, 'and')}.")
 
 
 def words(param: click.Parameter) -> list[str]:

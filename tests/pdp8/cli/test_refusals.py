@@ -98,8 +98,8 @@ pdp8 run hello.pal --loader x -> --loader means nothing without --boot
 pdp8 run hello.pal --line x --reader y -> --line does not go with --reader
 pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --printer
 pdp8 run --restore a.bin --force -> --force means nothing without PROGRAM
-pdp8 check --list add -> --list goes alone: leave out EXERCISE
-pdp8 check add --prove a.pal --json x -> goes with EXERCISE and --seed alone: leave out ANSWER and --json
+pdp8 check --list add -> --list is used alone: leave out EXERCISE
+pdp8 check add --prove a.pal --json x -> is used with EXERCISE and --seed only: leave out ANSWER and --json
 pdp8 run hello.pal --start 9 -> not an octal number
 pdp8 run hello.pal --sr 10000 -> not between 0000 and 7777
 pdp8 run hello.pal --nonsense -> No such option

@@ -48,10 +48,10 @@ def tried(tapes: tuple[str, ...], watching: Watching, **_: object) -> None:
         ("--list a --fill 1", ""),
         (
             "--list a --trace x --code y",
-            "--list goes with TAPES and --fill alone: leave out --trace and --code.",
+            "--list is used with TAPES and --fill only: leave out --trace and --code.",
         ),
         ("--all", ""),
-        ("--all --code ascii", "--all goes alone: leave out --code."),
+        ("--all --code ascii", "--all is used alone: leave out --code."),
     ],
 )
 def test_a_call_is_held_to_what_its_options_declare(line: str, refusal: str) -> None:

@@ -13,7 +13,7 @@ from tests.conftest import Call, Shell, assert_same_tape
     ("options", "status", "said"),
     [
         ("--kiosk", 2, "--kiosk means nothing without --drill"),
-        ("eia.pal --drill rim", 2, "--drill goes with --kiosk alone: leave out PROGRAM"),
+        ("eia.pal --drill rim", 2, "--drill is used with --kiosk only: leave out PROGRAM"),
         ("no.pal", 1, "pdp8 panel: no.pal: no such file"),
         ("eia.pal --reader no.asc", 1, "pdp8 panel: no.asc: no such file"),
         ("circle.eia", 1, "pdp8 panel: circle.eia: "),

@@ -206,7 +206,7 @@ def test_what_is_no_file_has_no_points() -> None:
         ("open.toml --prove", 1, "open: question 'a': answer is missing"),
         ("ana.pal add.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
-        ("add.toml --prove", 1, "add: taken for right: halts for the wrong reason"),
+        ("add.toml --prove", 1, "add: accepted as right: halts for the wrong reason"),
     ],
 )
 def test_the_command_says_what_is_wrong(

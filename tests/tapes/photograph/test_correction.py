@@ -111,7 +111,7 @@ def test_a_sure_frame_against_the_tape_s_parity_is_doubtful() -> None:
     assert reading.tape == tape
     assert next(reading.report(underside=False)) == (
         "frame 5: 060 by the tape's parity, even; 070 was seen: channel 4, at 5, 7 in a.jpg: "
-        "it is against the tape's parity, even"
+        "it contradicts the tape's parity, even"
     )
     assert [number for number, each, _ in reading.frames if each.doubtful] == [5]
 
