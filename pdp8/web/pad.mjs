@@ -93,7 +93,7 @@ export class Pad {
     this.heights = this.heights.map((y, n) => Math.min(HIGH - EDGE, Math.max(LOW + EDGE, y + (n < first ? before : n > last ? after : 0))));
   }
 
-  /** Let the finger's shake go. */
+  /** Smooth out the finger's tremor. */
   #smooth() {
     const was = this.heights.slice();
     for (let n = 1; n < COUNT - 1; n++) this.heights[n] = Math.round((was[n - 1] + 2 * was[n] + was[n + 1]) / 4);

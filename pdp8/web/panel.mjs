@@ -49,7 +49,7 @@ export class Panel {
     });
   }
 
-  /** Say the lamps in words from now on, or no more. */
+  /** Begin or end to say the lamps in words. */
   speak() {
     this.speaking = !this.speaking;
     this.button.ariaPressed = String(this.speaking);

@@ -122,7 +122,7 @@ export class Afternoon {
     bench.why = `You have taken over at ${clock(script.now)}`;
   }
 
-  /** The script leads no more; the page has that machine. */
+  /** The script no longer leads the machine; the page has it. */
   release(/** @type {Machine} */ machine, stops = false) {
     this.on = this.playing = false;
     this.bench.adopt(machine, stops);
@@ -150,7 +150,7 @@ export class Afternoon {
     if (!this.playing) this.#say();
   }
 
-  /** The instant stands still: say it to who listens, and let the address name it. */
+  /** Time has stopped at an instant: announce it, and put it into the address. */
   #say() {
     clearTimeout(this.saying);
     this.saying = setTimeout(() => {
@@ -232,7 +232,7 @@ export class Afternoon {
     this.bench.time.says(act.name, html`${caption} <small>Touch a switch, a key or a lever to take over.</small>`);
   }
 
-  /** An act begins: what belongs to it lies open on the desk. */
+  /** An act begins: open the pane that belongs to it. */
   #open(/** @type {Act} */ act) {
     const { bench, script: { day } } = this;
     this.shown = act;

@@ -36,7 +36,7 @@ export class Apart {
     return worker;
   }
 
-  /** What the Worker makes of the arguments `given`. Throws what it throws, or that it takes more than some seconds. */
+  /** What the Worker makes of the arguments `given`. Throws its error, or one that says that it takes too long. */
   ask(/** @type {string} */ what, /** @type {unknown[]} */ given, /** @type {number} */ seconds) {
     const worker = this.worker ?? this.#begin();
     const number = this.number++;

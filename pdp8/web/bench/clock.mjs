@@ -15,7 +15,7 @@ import { Pictures } from "../pictures.mjs";
 const BUDGET = 24; // ms of computing for a picture
 const SLICES = 8; // of a picture, each with a look at the lamps
 const SLOW = 0.01; // and slower: cycle by cycle
-const FORGETS = 0.15; // what a measured speed loses of the pictures before, a picture
+const FORGETS = 0.15; // the share of a measured speed that each picture replaces
 
 export class Clock {
   /** `show(samples, stop)` is called after every picture, with samples of the lamps and the reason why the run ended, "limit" if it goes on. */

@@ -51,7 +51,7 @@ export class Drives {
     const unit = UNITS.find((each) => !drives[each].image) ?? UNITS.length - 1;
     this.names[unit] = name;
     bench.touch(() => drives[unit].mount(image));
-    bench.remember(); // no step leads back to another reel
+    bench.remember(); // no step back restores another reel
     find("drives").open = true;
     bench.say(`${name} is on DECtape drive ${unit}; the machine has ${bench.machine.memory} words of core.${unit ? "" : " Press Boot drive 0"}`);
   }

@@ -252,7 +252,7 @@ export class Editor {
     this.write();
   }
 
-  /** Somebody writes in the editor, or no more: what Tab does depends on it. */
+  /** Whether somebody writes in the editor: what Tab does depends on it. */
   #write(/** @type {boolean} */ on) {
     this.writing = on;
     find("editor-keys").classList.toggle("writing", on);
@@ -281,7 +281,7 @@ export class Editor {
     put(this.behind, seen.flatMap((/** @type {string} */ line, /** @type {number} */ index) => [index ? "\n" : "", coloured(line, this.wrong.get(first + index + 1))]));
     this.behind.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
     const { right } = this.area.getBoundingClientRect();
-    for (const said of this.behind.querySelectorAll("em")) { // what has no space behind its line is said below it
+    for (const said of this.behind.querySelectorAll("em")) { // what has no space after its line is said below it
       if (said.getBoundingClientRect().right < right) continue;
       said.className = "below";
       Object.assign(said.style, { left: `${scrollLeft + 8}px`, maxWidth: `${clientWidth - 16}px` });
@@ -289,7 +289,7 @@ export class Editor {
     put(find("gutter"), html`<div style="transform: translateY(${down}px)">${seen.map((/** @type {string} */ _, /** @type {number} */ index) => this.#beside(first + index + 1))}</div>`);
   }
 
-  /** What stands beside a line. */
+  /** The columns beside a line. */
   #beside(/** @type {number} */ line) {
     const place = this.places.get(line);
     const classes = `line${line === this.now ? " now" : ""} ${this.wrong.get(line)?.severity ?? ""}`;
@@ -317,7 +317,7 @@ export class Editor {
     find("counts").checked = false;
   }
 
-  /** Count from now on how often each word is executed, or no more. */
+  /** Begin or end to count how often each word is executed. */
   count(/** @type {HTMLInputElement} */ { checked: on }) {
     if (on) this.bench.afternoon.takeOver();
     this.counts = new Counts();

@@ -43,7 +43,7 @@ export class Exercises {
     this.bench.tabs.open("exercises");
   }
 
-  /** Have a teacher's exercise at hand again, if it is one. */
+  /** Restore a teacher's exercise, if it is one. */
   #give(/** @type {string} */ name, /** @type {any} */ tables) {
     try {
       checked(tables);
@@ -93,7 +93,7 @@ export class Exercises {
     return right ? "✓ " : of ? `${points}/${of} ` : "";
   }
 
-  /** The list: by level, and a teacher's own behind them; each with its mark. */
+  /** The list: by level, a teacher's own last; each with its mark. */
   #list() {
     const option = (/** @type {[string, any]} */ [name, { title }]) => html`<option value="${name}">${this.#mark(name)}${title}</option>`;
     const levels = Map.groupBy(this.all, ([, { level }]) => level ?? "A teacher's own");

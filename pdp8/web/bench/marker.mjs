@@ -19,7 +19,7 @@ function valued(/** @type {string} */ name, /** @type {any} */ value) {
   return TAPES.includes(name) ? bytes(value) : TABLES.includes(name) ? dict(value) : value;
 }
 
-/** A table of a file as the record that it is; what is not given is as it is by itself. */
+/** A table of a file as the record that it is; what is not given has its default. */
 function record(/** @type {any} */ kind, /** @type {any} */ table) {
   return new kind(...kind.$fields.map((/** @type {string} */ field) => valued(field, table[field])));
 }

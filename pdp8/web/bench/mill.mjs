@@ -45,7 +45,7 @@ export class Mill {
   /** Put a tape of the shelf under the head, and show the whole of what it does. */
   cut(/** @type {string} */ name) {
     this.name = name;
-    this.asked = null; // what is on its way is of another tape
+    this.asked = null; // what the Worker is making belongs to another tape
     const frames = this.bench.shelf.get(name).frames;
     const { path, refusal } = carriedOut(frames);
     this.lay(name, frames, path, refusal);

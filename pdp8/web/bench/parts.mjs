@@ -32,7 +32,7 @@ const SECONDS = 10; // that a printout may take
 const TRANSLATION = 60;
 const FRAMES_A_MINUTE = 600; // of the ASR-33
 
-/** What is kept for an option as it was typed; undefined: as it is by itself. */
+/** What is kept for an option as it was typed; undefined: its default. */
 function kept(/** @type {Option_} */ { choices, default: by_itself, flag, places, spelling, unit, whole }, /** @type {any} */ typed) {
   const text = typed || by_itself;
   if (flag || choices || !text) return text;

@@ -1,4 +1,4 @@
-// What a reload, and the next visit, find again as it was left: of each part what it calls `kept`, which can be set.
+// What a reload or the next visit restores: of each part its property `kept`, which can be set.
 //
 //     the page is left ──► {part: kept} ──► this tab's store, for its reload, and the browser's, for the next visit
 //

@@ -27,7 +27,7 @@ export async function linked(/** @type {unknown} */ shared, /** @type {string} *
 const plain = (/** @type {any} */ value) => value?.constructor === Object;
 const tape = (/** @type {any} */ value) => Array.isArray(value) && value.length > 1;
 
-/** What of a state is not as in `usual`; a tape that is a piece of one of `tapes` by [its name, from, to]. @returns {any} */
+/** What in a state differs from `usual`; a tape that is a piece of one of `tapes` by [its name, from, to]. @returns {any} */
 export function shortened(/** @type {any} */ state, /** @type {any} */ usual, /** @type {Map<string, string>} */ tapes) {
   const parts = Object.entries(state).map(([name, value]) => {
     if (JSON.stringify(value) === JSON.stringify(usual?.[name])) return [name, undefined];

@@ -63,7 +63,7 @@ export class Switches {
   }
 }
 
-/** A picture ends with an instruction; a hand comes in any cycle. */
+/** A picture ends between instructions, but a key may be pressed in any cycle. */
 function awaitHand(/** @type {Machine} */ machine) {
   const { run, next } = machine.processor;
   if (run && next === FETCH) machine.run(null, null, Math.floor(Math.random() * 3));

@@ -14,7 +14,7 @@ export class Tabs {
     this.#show(this.panes[0].id);
   }
 
-  /** Show these panes alone, and of the tabs theirs. */
+  /** Show only these panes, and their tabs. */
   only(/** @type {string[]} */ ids) {
     for (const tab of this.list.children) tab.hidden = !ids.includes(tab.dataset.opens);
     const shown = this.panes.filter(({ id }) => ids.includes(id));

@@ -79,7 +79,7 @@ export class Teletype {
     this.bench.sound.turn(checked);
   }
 
-  /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step leads back to it. */
+  /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step back restores it. */
   #tearPaper() {
     this.bench.machine.teletype.printer.frames.clear();
     this.taken = this.drawn = 0;

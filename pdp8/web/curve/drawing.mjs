@@ -95,7 +95,7 @@ export class Figure {
     withoutWaiting(() => this.#made(this.values));
   }
 
-  /** Draw as soon as all is made for it; the inputs may have moved on by then, and are followed when it is drawn. */
+  /** Draw as soon as all is made for it; inputs that have changed meanwhile are looked at when it is drawn. */
   show() {
     this.behind = this.waiting;
     if (!this.waiting) this.#made(this.values);

@@ -151,7 +151,7 @@ export class Room {
     this.live = true;
     if (own) bench.adopt(own);
     const { punch, reader } = bench.machine.teletype;
-    reader.lever(false); // else it would read the tape of the story to the program of the visitor
+    reader.lever(false); // else the visitor's program would read the story's tape
     punch.on = true;
     this.guide.begin(bench.machine);
     this.hands = new Hands(place.querySelector(".hand"));
