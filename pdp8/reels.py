@@ -1,19 +1,19 @@
 """DECtapes between files and the drives of a machine, and the discs of a DF32.
 
-A file that was mounted is not written: what the program changed is on the reel in the machine, until it is
-saved in a file of its own. What nobody saved is left beside the file it came from.
+A file that was mounted is not written: what the program changed is in the machine, until it is saved in a
+file of its own. What nobody saved is left beside the file it came from.
 """
 
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.dectape.tu55 import Transport
 from pdp8.computer.hardware.bus import Peripheral
-from pdp8.computer.machine import Machine
 from pdp8.computer.rack.df32 import DF32
+from pdp8.computer.use import bootstrap
 from tapes import dectape
 from tapes.errors import WorkError, naming
 from tapes.quantities import counted
@@ -23,141 +23,188 @@ _LONGEST = 8 << 20
 """Bytes that are read: enough for the image of a disk, which is then refused by its name."""
 
 
-class Reels:
-    """The reels on the drives of a control, the discs of a DF32, and the files they came from.
+class Reel:
+    """A drive: what is on it, the file that came from, "" for none, and how much of it was changed."""
 
-    Each goes by SIMH's name of its device, dt0 to dt7 or df.
-    """
+    unit = "blocks"
+    missing = "no tape is mounted; attach dtN FILE mounts one"
 
-    def __init__(self, drives: Sequence[Transport] = ()) -> None:
-        self.drives = drives
-        self.discs = DF32()
-        self.names: dict[str, str] = {}
-        """The files, by devices."""
-        self.discs_kept = b""
-        """What was on the discs when they were filled or saved."""
+    def __init__(self, number: int) -> None:
+        self.device, self.place = f"dt{number}", f"drive {number}"
+        self.file = ""
+        self.drive = Transport()
+        self.bootstrap = bootstrap.bootstrap(number)
+        self._number = number
 
-    def look_at(self, machine: Machine) -> None:
-        """Use the drives and discs of a machine from now on, if it has any."""
-        self.drives = drives(machine.devices)
-        mounted = {f"dt{unit}": "tu56" for unit, drive in enumerate(self.drives) if drive.image is not None}
-        for each in machine.devices:
-            if isinstance(each, DF32):
-                self.discs, mounted["df"] = each, "df32"
-                if "df" not in self.names:
-                    self.discs_kept = each.content
-        self.names = {device: self.names.get(device, f"{device}.{kind}") for device, kind in mounted.items()}
+    def look_at(self, devices: Sequence[Peripheral]) -> None:
+        """Use the drive of the DECtape control among `devices` from now on."""
+        found = next((each for each in devices if isinstance(each, TC08)), None)
+        self.drive = found.drives[self._number] if found else Transport()
+        self.file = (self.file or f"{self.device}.tu56") if self.drive.image else ""
 
-    def devices(self) -> list[str]:
-        """Return the devices on which something is."""
-        return sorted(self.names, key=lambda device: (device == "df", device))
-
-    def images(self) -> list[dectape.Image]:
-        """Return the reels as they were mounted."""
-        return [drive.image for drive in self.drives if drive.image is not None]
-
-    def read(self, unit: int, name: str) -> tuple[dectape.Image, list[str]]:
-        """Return the reel in a file that is to go on a drive, and notes about it. Raises WorkError."""
-        for other, before in self.names.items():
-            if other not in ("df", f"dt{unit}") and _same(before, shelf.find(name)):
-                raise WorkError(f"{name} is on {_place(other)}: a reel is on one drive")
-        with naming(name):
-            return dectape.decode(shelf.read(name, _LONGEST))
-
-    def mount(self, unit: int, name: str, locked: bool = False) -> list[str]:
+    def mount(self, name: str, locked: bool = False) -> list[str]:
         """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""
-        image, notes = self.read(unit, name)
-        self.drives[unit].mount(image, locked)
-        self.names[f"dt{unit}"] = name
+        with naming(name):
+            image, notes = dectape.decode(shelf.read(name, _LONGEST))
+        self.drive.mount(image, locked)
+        self.file = name
         return notes
 
-    def fill(self, name: str) -> None:
-        """Put an image onto the discs of the DF32. Raises WorkError, and changes nothing then."""
+    def take_off(self) -> None:
+        """Leave the drive empty."""
+        self.drive.mount(None)
+        self.file = ""
+
+    def changed(self) -> int:
+        """Return how many blocks were written and not saved."""
+        return len(self.drive.blocks)
+
+    def save(self, name: str) -> str:
+        """Save the reel as it is now; return what to say of it. Raises WorkError."""
+        reel = self.drive.written() or dectape.blank()
+        said = shelf.told(name, shelf.write(name, reel.content()))
+        self.drive.image, self.drive.blocks = reel, {}
+        return said
+
+    def remarks(self) -> str:
+        """Return what there is to say beside the name of the file."""
+        written = f", {counted(self.changed(), self.unit)} written" if self.changed() else ""
+        return f"{', locked' if self.drive.locked else ''}{written}"
+
+
+class Discs:
+    """The discs of a DF32: the file they were filled from, "" without a DF32, and how much was changed."""
+
+    device = place = "df"
+    unit = "words"
+    missing = "no DF32 is fitted; attach df FILE fits it"
+    bootstrap = bootstrap.DF32
+
+    def __init__(self) -> None:
+        self.file = ""
+        self.control = DF32()
+        self._kept = b""
+        """What was on the discs when they were filled or saved."""
+
+    def look_at(self, devices: Sequence[Peripheral]) -> None:
+        """Use the DF32 among `devices` from now on."""
+        found = next((each for each in devices if isinstance(each, DF32)), None)
+        self.control = found or DF32()
+        if not self.file:
+            self._kept = self.control.content
+        self.file = (self.file or "df.df32") if found else ""
+
+    def mount(self, name: str, locked: bool = False) -> list[str]:
+        """Fill the discs from a file. Raises WorkError, and changes nothing then."""
         content = shelf.read(name)
         try:
-            self.discs.content = content
+            self.control.content = content
         except ValueError as error:
             raise WorkError(f"{name}: {error}") from error
-        self.names["df"], self.discs_kept = name, content
+        self.file, self._kept = name, content
+        return []
 
-    def take_off(self, device: str) -> None:
-        """Take the reel off its drive, or the image off the discs."""
-        del self.names[device]
-        if device != "df":
-            self.drives[drive(device)].mount(None)
-            return
-        self.discs_kept = self.discs.content = bytes(len(self.discs.content))
-        self.names[device] = "df.df32"
+    def take_off(self) -> None:
+        """Clear the discs."""
+        self._kept = self.control.content = bytes(len(self.control.content))
+        self.file = "df.df32"
 
-    def changed(self, device: str) -> int:
-        """Return how many blocks of a reel, or words of the discs, were written and not saved."""
-        if device != "df":
-            return len(self.drives[drive(device)].blocks)
-        now, kept = self.discs.content, self.discs_kept
+    def changed(self) -> int:
+        """Return how many words were written and not saved."""
+        now, kept = self.control.content, self._kept
         pairs = zip(now[::2], now[1::2], kept[::2], kept[1::2], strict=False)
         return sum((low, high) != (before, above) for low, high, before, above in pairs)
 
+    def save(self, name: str) -> str:
+        """Save the discs as they are now; return what to say of it. Raises WorkError."""
+        said = shelf.told(name, shelf.write(name, self.control.content))
+        self._kept = self.control.content
+        return said
+
+    def remarks(self) -> str:
+        """Return what there is to say beside the name of the file."""
+        return ", changed" if self.changed() else ""
+
+
+class Reels:
+    """The drives and the discs of a machine, by SIMH's names of their devices: dt0 to dt7 and df."""
+
+    def __init__(self, devices: Sequence[Peripheral] = ()) -> None:
+        places: list[Reel | Discs] = [*map(Reel, UNITS), Discs()]
+        self.places = {place.device: place for place in places}
+        self.look_at(devices)
+
+    def look_at(self, devices: Sequence[Peripheral]) -> None:
+        """Use the drives and discs among `devices` from now on; files keep their names."""
+        for place in self.places.values():
+            place.look_at(devices)
+
+    def mounted(self) -> list[Reel | Discs]:
+        """Return the places where something is."""
+        return [place for place in self.places.values() if place.file]
+
+    def images(self) -> list[dectape.Image]:
+        """Return the reels as they were mounted."""
+        reels = (place.drive for place in self.mounted() if isinstance(place, Reel))
+        return [drive.image for drive in reels if drive.image]
+
+    def mount(self, device: str, name: str, locked: bool = False) -> list[str]:
+        """Mount the image in a file; return notes about it. Raises WorkError, and changes nothing then."""
+        place = self.places[device]
+        for other in self.mounted():
+            if other.unit == place.unit and other is not place and _same(other.file, shelf.find(name)):
+                raise WorkError(f"{name} is on {other.place}: a reel is on one drive")
+        return place.mount(name, locked)
+
     def said(self, device: str) -> str:
-        """Say how much was written and not saved, "" for nothing or no medium."""
-        number = self.changed(device) if device in self.names else 0
-        what = counted(number, "words" if device == "df" else "blocks")
-        return f"{_place(device)}: {what} of {self.names[device]} changed" if number else ""
+        """Say how much was written and not saved, "" for nothing."""
+        place = self.places[device]
+        number = place.changed()
+        return f"{place.place}: {counted(number, place.unit)} of {place.file} changed" if number else ""
 
     def save(self, device: str, name: str) -> str:
         """Save a reel or the discs as they are now; return what to say of it. Raises WorkError."""
-        if device not in self.names:
-            raise WorkError(f"{_place(device)}: no tape is mounted")
-        if any(_same(each, name) for each in self.names.values()):
+        place = self.places[device]
+        if not place.file:
+            raise WorkError(f"{place.place}: no tape is mounted")
+        if any(_same(each.file, name) for each in self.mounted()):
             raise WorkError(f"{name} was mounted; name another file")
-        if device == "df":
-            said = shelf.told(name, shelf.write(name, self.discs.content))
-            self.discs_kept = self.discs.content
-            return said
-        on = self.drives[drive(device)]
-        reel = on.written() or dectape.blank()
-        said = shelf.told(name, shelf.write(name, reel.content()))
-        on.image, on.blocks = reel, {}
-        return said
+        return place.save(name)
 
     def rescue(self) -> Iterator[str]:
         """Save each changed reel, and changed discs, beside their file; yield a message for each."""
-        for device in self.devices():
-            if written := self.said(device):
+        for place in self.mounted():
+            if written := self.said(place.device):
                 try:
-                    said = self.save(device, _free(self.names[device]))
+                    said = self.save(place.device, _free(place.file))
                 except WorkError:
-                    name = os.path.basename(self.names[device])
-                    said = self.save(device, _free(os.path.join(tempfile.gettempdir(), name)))
+                    name = os.path.basename(place.file)
+                    said = self.save(place.device, _free(os.path.join(tempfile.gettempdir(), name)))
                 yield f"{written}, and not saved: {said}"
 
 
-def _place(device: str) -> str:
-    return device if device == "df" else f"drive {drive(device)}"
+def device(text: str) -> str:
+    """Return the name of the device that "0", "dt0" or "df0" is. Raises WorkError."""
+    return "df" if text.lower() in ("df", "df0") else _drive(text)
+
+
+def _drive(text: str) -> str:
+    number = text.lower().removeprefix("dt")
+    if number not in [str(unit) for unit in UNITS]:
+        raise WorkError(f"{text}: the drives are dt0 to dt7")
+    return f"dt{number}"
+
+
+def assignment(text: str) -> tuple[str, str]:
+    """Return the device of a drive and the file, of "0=FILE". Raises WorkError."""
+    unit, found, name = text.partition("=")
+    if not found or not name:
+        raise WorkError(f"{text}: a drive and a file expected, as in 0=ps8.tu56")
+    return _drive(unit), name
 
 
 def _same(before: str, name: str) -> bool:
     return shelf.identity(shelf.find(before)) == shelf.identity(name)
-
-
-def drives(devices: Iterable[Peripheral]) -> Sequence[Transport]:
-    """Return the drives of the DECtape control among `devices`, none if there is no control."""
-    return next((each.drives for each in devices if isinstance(each, TC08)), ())
-
-
-def drive(text: str) -> int:
-    """Return the unit that "0" or "dt0" names. Raises WorkError."""
-    number = text.lower().removeprefix("dt")
-    if number not in [str(unit) for unit in UNITS]:
-        raise WorkError(f"{text}: the drives are dt0 to dt7")
-    return int(number)
-
-
-def assignment(text: str) -> tuple[int, str]:
-    """Return unit and file of "0=FILE". Raises WorkError."""
-    unit, found, name = text.partition("=")
-    if not found or not name:
-        raise WorkError(f"{text}: a drive and a file expected, as in 0=ps8.tu56")
-    return drive(unit), name
 
 
 def _free(name: str) -> str:

@@ -30,7 +30,6 @@ from tapes import codes
 from tapes.errors import called, naming
 
 if TYPE_CHECKING:
-    from pdp8.computer.hardware.fields import Values
     from pdp8.computer.use.program import Program
     from pdp8.computer.use.trace import Listing
     from pdp8.reels import Reels
@@ -197,257 +196,325 @@ def run(ctx: click.Context, /, options: Options) -> None:
       pdp8 run mine.bin --start 400 --sr 7777 --fast-reader in.tape --fast-punch out.tape
     """
     ctx.meta[command.QUIET] = options.quiet
-    _check_options(options, ctx.args)
     explicit = {param.name for param in ctx.command.params if is_given(ctx, param)}
-    found = _program(options, explicit)
-    machine = _machine(options, found)
-    if found or "sr" in explicit:
-        machine.sr = options.sr
-    mounted = _reels(options, machine)
-    feed = _feed(options, machine)
-    if found or "start" in explicit:
-        machine.start(options.start)
-    elif options.restore is None:
-        from pdp8.computer.use import bootstrap
+    ctx.exit(_Run(options, ctx.args, explicit).done())
 
-        bootstrap.boot(machine, None if 0 in _by_drive(options.dectape) else bootstrap.DF32)
-    failures: list[ShelfError] = []
-    began = machine.values()
-    if _paged(options) or feed.left:
-        from pdp8.computer.past.history import History
 
-        History(machine)
-    try:
-        stop = _run(options, machine, found, feed, mounted, failures)
-    finally:
-        _save_mounted(options, mounted, failures)
-        _save_paper(options, machine, failures)
-    if options.save is not None:
+class _Run:
+    """One run: its program, machine and tapes, and the files that could not be written."""
+
+    def __init__(self, options: Options, more: Sequence[str], explicit: Collection[str | None]) -> None:
+        self.options = options
+        self.paged = options.keyboard or bool(options.line)
+        """Whether somebody is at the Teletype, by keyboard or line, and no tape goes to standard output."""
+        self.reels_in = _by_device(options.dectape, options.disk)
+        self.reels_out = _by_device(options.save_dectape, options.save_disk)
+        self.mounted: Reels | None = None
+        self.failures: list[ShelfError] = []
+        _check_options(options, more, self.reels_in)
+        self.found = self._program(explicit)
+        self.machine = self._machine()
+        if self.found or "sr" in explicit:
+            self.machine.sr = options.sr
+        if self.mounted:
+            self.mounted.look_at(self.machine.devices)
+        self.feed = self._feed()
+        if self.found or "start" in explicit:
+            self.machine.start(options.start)
+        elif self.mounted and options.restore is None:
+            from pdp8.computer.use import bootstrap
+
+            booted = self.mounted.places["dt0" if "dt0" in self.reels_in else "df"]
+            bootstrap.boot(self.machine, booted.bootstrap)
+        self.began = self.machine.values()
+        if self.paged or self.feed.left:
+            from pdp8.computer.past.history import History
+
+            History(self.machine)
+
+    @property
+    def listing(self) -> "Listing":
+        """The program's listing, empty without one."""
+        from pdp8.computer.use.trace import Listing
+
+        return self.found.listing if self.found else Listing()
+
+    def _program(self, explicit: Collection[str | None]) -> "Program | None":
+        """Return the program, if named, after checking all file names. Raises UsageError."""
+        options = self.options
+        reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
+        reads += [fitting.file_of(name) for name in options.device] + [*self.reels_in.values()]
+        page = "-" if options.punch is None and not self.paged else options.punch
+        writes = [options.fast_punch, options.trace, options.annotate, options.save]
+        arguments.check_files(reads, [page, *writes, *self.reels_out.values()])
+        if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
+            raise click.UsageError("--keyboard needs a terminal to type and print at.")
+        if options.program is None:
+            return None
+        forced, memory = options.force or options.boot, MEMORY[options.memory]
+        found = shelf.program(options.program, forced, options.dialect, memory)
+        if found.code is codes.ASCII and options.force:
+            raise click.UsageError(
+                f"--force means nothing for {found.name}: it is no tape that may be damaged."
+            )
+        if found.code is not codes.ASCII and "dialect" in explicit:
+            raise click.UsageError(
+                f"--dialect means nothing for {found.name}: it is a tape, and no PAL source."
+            )
+        return found
+
+    def _machine(self) -> Machine:
+        """Return the machine, new with the program in core or restored; say what there is to say of both."""
+        options, found = self.options, self.found
+        names = list(options.device)
+        if "highspeed" not in names and (options.fast_reader is not None or options.fast_punch is not None):
+            names.insert(0, "highspeed")
+        asked = {"dectape": options.dectape, "df32": options.disk, "lp08": options.printer}
+        names += [name for name, given in asked.items() if given and name not in names]
+        devices = fitting.devices(names)
+        if options.restore is None:
+            machine = Machine(memory=MEMORY[options.memory])
+            fitting.fit(machine, devices)
+            self._mount(machine.devices)
+        else:
+            machine = self._restored(options.restore, [made() for made in devices])
+        if machine.memory == MEMORY["32k"]:
+            command.say("32K of core, and three bits of field: no PDP-8/L had them")
+        if found is not None:
+            if options.boot:
+                self._boot(machine, found)
+            else:
+                machine.load(found.words)
+            if options.force or not options.quiet:
+                command.say_of(found.name, found.notes)
+            if options.start not in found.words and not options.quiet:
+                from tapes.quantities import ranges
+
+                has = f"it has {ranges(found.words)}, and --start says where to begin"
+                command.say_of(found.name, [f"no word at {options.start:04o}, where it is started; {has}"])
+        return machine
+
+    def _restored(self, name: str, fitted: Sequence[Peripheral]) -> Machine:
+        """Return the saved machine, with the devices `fitted` too, and with the reels that are mounted."""
         from pdp8.computer.past import state
 
-        with _noted(failures):
-            command.put(options.save, state.save(machine))
-    for failure in failures:
-        command.say(str(failure))
-    status = _report(options, machine, feed, stop, found, began)
-    ctx.exit(1 if failures else status)
+        text = shelf.read_text(name, state.LARGEST)
+        self._mount(fitted)
+        with naming(name):
+            return state.restore(text, fitted, known=fitting.known())
 
+    def _mount(self, devices: Sequence[Peripheral]) -> None:
+        """Mount the reels of --dectape and the disk of --disk, and say what there is to say of them."""
+        options = self.options
+        if not (self.reels_in or options.device or options.restore or options.keyboard):
+            return
+        from pdp8.reels import Reels
 
-def _program(options: Options, explicit: Collection[str | None]) -> "Program | None":
-    """Return the program, if named, after checking all file names. Raises UsageError for a useless option."""
-    reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
-    reads += [fitting.file_of(name) for name in options.device]
-    reels_in, reels_out = (_by_drive(option) for option in (options.dectape, options.save_dectape))
-    reads += reels_in.values()
-    page = "-" if options.punch is None and not _paged(options) else options.punch
-    writes = [options.fast_punch, options.trace, options.annotate, options.save, *reels_out.values()]
-    arguments.check_files(reads, [page, *writes])
-    if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
-        raise click.UsageError("--keyboard needs a terminal to type and print at.")
-    if options.program is None:
-        return None
-    forced, memory = options.force or options.boot, MEMORY[options.memory]
-    found = shelf.program(options.program, forced, options.dialect, memory)
-    if found.code is codes.ASCII and options.force:
-        raise click.UsageError(f"--force means nothing for {found.name}: it is no tape that may be damaged.")
-    if found.code is not codes.ASCII and "dialect" in explicit:
-        raise click.UsageError(f"--dialect means nothing for {found.name}: it is a tape, and no PAL source.")
-    return found
+        self.mounted = Reels(devices)
+        for device, name in self.reels_in.items():
+            notes = self.mounted.mount(device, name)
+            if not options.quiet:
+                command.say_of(name, notes)
 
+    def _boot(self, machine: Machine, found: "Program") -> None:
+        """Load the program as an operator does, saying what it took."""
+        from pdp8.computer.use.operator import Operator
+        from tapes import rim
+        from tapes.quantities import duration
 
-def _paged(options: Options) -> bool:
-    """Whether somebody is at the Teletype, by keyboard or line, so that no tape goes to standard output."""
-    return options.keyboard or bool(options.line)
-
-
-def _fed(options: Options) -> bool:
-    """Tell whether the Teletype was given anything to read: a tape, a keyboard, a line, a saved state."""
-    return bool(options.reader or options.fast_reader or options.restore or _paged(options))
-
-
-def _machine(options: Options, found: "Program | None") -> Machine:
-    """Return the machine, new with the program in core or restored; say what there is to say of its tape."""
-    names = list(options.device)
-    if "highspeed" not in names and (options.fast_reader is not None or options.fast_punch is not None):
-        names.insert(0, "highspeed")
-    if options.dectape and "dectape" not in names:
-        names.append("dectape")
-    asked = {"df32": options.disk, "lp08": options.printer}
-    names += [name for name, given in asked.items() if given is not None and name not in names]
-    devices = fitting.devices(names)
-    if options.restore is None:
-        machine = Machine(memory=MEMORY[options.memory])
-        fitting.fit(machine, devices)
-        _mount(options, machine.devices)
-    else:
-        machine = _restored(options, devices)
-    if machine.memory == MEMORY["32k"]:
-        command.say("32K of core, and three bits of field: no PDP-8/L had them")
-    if found is not None:
-        if options.boot:
-            _boot(options, machine, found)
+        options = self.options
+        if options.loader is None:
+            tape = rim.encode(shelf.bundled_program("bin.pal").words)
         else:
-            machine.load(found.words)
-        if options.force or not options.quiet:
-            command.say_of(found.name, found.notes)
-        if options.start not in found.words and not options.quiet:
-            from tapes.quantities import ranges
-
-            has = f"it has {ranges(found.words)}, and --start says where to begin"
-            command.say_of(found.name, [f"no word at {options.start:04o}, where it is started; {has}"])
-    return machine
-
-
-def _feed(options: Options, machine: Machine) -> Feed:
-    """Return the feeder of the Teletype's reader, with the first tape in the reader."""
-    used = _paged(options) or options.restore is not None or "-" in (options.program, options.fast_reader)
-    names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
-    feed = Feed(machine.teletype.reader, names, options.quiet)
-    if not feed.next_tape() and options.restore is None:
-        machine.teletype.reader.load(b"")
-    if options.fast_reader is not None:
-        machine.highspeed.reader.load(shelf.read(options.fast_reader))
-    return feed
-
-
-def _run(
-    options: Options,
-    machine: Machine,
-    found: "Program | None",
-    feed: Feed,
-    mounted: "Reels | None",
-    failures: list[ShelfError],
-) -> _Ended:
-    """Run to the end, recorded as asked for; return how it ended, and add files that failed to `failures`."""
-    outputs = []
-    if options.punch is not None or not _paged(options):
-        outputs.append(Output(machine.teletype.punch, options.punch))
-    if options.fast_punch is not None:
-        outputs.append(Output(machine.highspeed.punch, options.fast_punch))
-    begun = False
-    stop: _Ended = None
-    with ExitStack() as stack:
-        for output in outputs:
-            stack.callback(output.tell)
-            stack.callback(output.close)
-        stack.enter_context(_noted(failures))
-        if options.trace is not None:
-            from pdp8.cli.running.watching import tracing
-
-            stack.enter_context(tracing(machine, options.trace, _listing(found)))
-        if options.count or options.annotate:
-            from pdp8.cli.running.watching import counting
-
-            asked = options.count, options.annotate
-            stack.enter_context(counting(machine, _listing(found), *asked))
-        live = _live(options, machine, found, mounted, stack)
-        begun, stop = True, _FAILED
-        try:
-            if live is not None:
-                stop = live(partial(send, outputs))
-            else:
-                stop = pacing.run(machine, feed, outputs, options.max_time, options.realtime, options.quiet)
-        except BrokenPipeError:  # the reader of the tape has closed it; what else was asked for is written
-            command.silence(sys.stdout)
-            send(outputs)
-            stop = _CLOSED
-        except ShelfError as error:
-            failures.append(error)
-    if not begun:
-        raise failures.pop()
-    return stop
-
-
-def _live(
-    options: Options, machine: Machine, found: "Program | None", mounted: "Reels | None", stack: ExitStack
-) -> Callable[[Callable[[], object]], Stop | None] | None:
-    """Return the function that runs the machine with a user at its Teletype; None without a user."""
-    if options.keyboard:
-        from pdp8.cli.monitor import sit_down
-
-        return partial(sit_down, machine, _listing(found), mounted, options.max_time, options.realtime)
-    if options.line is not None and sys.platform != "win32":  # as _check_options has it
-        from pdp8.cli.running.line import opened
-
-        line = opened(options.line, options.line_bits, options.line_speed == "full")
-        return partial(stack.enter_context(closing(line)).run, machine, options.max_time)
-    return None
-
-
-@contextmanager
-def _noted(failures: list[ShelfError]) -> Iterator[None]:
-    """Add a ShelfError that is raised inside to `failures`."""
-    try:
-        yield
-    except ShelfError as error:
-        failures.append(error)
-
-
-def _report(
-    options: Options, machine: Machine, feed: Feed, stop: _Ended, found: "Program | None", began: "Values"
-) -> int:
-    """Say how the run ended; return the exit status."""
-    if stop is None and options.keyboard:
-        return 0
-    counts = _counts(machine, feed.read)
-    if feed.left and not options.quiet:
-        command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
-    if options.restore and not (options.reader or options.quiet):
-        say_unread()
-    if not options.quiet:
-        _tell_of_channel_8(options, machine)
-    if stop is None:
-        command.say(f"interrupted at {machine.pc:04o}{counts}")
-        return 130
-    if stop == _FAILED:
-        command.say(f"stopped at {machine.pc:04o}, as an output or a tape failed{counts}")
-        return 1
-    if stop == _CLOSED:
+            of_loader = shelf.program(options.loader, options.force)
+            tape = of_loader.tape if of_loader.code is codes.RIM else rim.encode(of_loader.words)
+        total = 0.0
+        for step in Operator(machine).boot(tape, found.tape, called(found.name), options.force):
+            total += step.seconds
+            if not options.quiet:
+                command.say(str(step))
         if not options.quiet:
-            command.say(f"the reader of standard output has closed it, at {machine.pc:04o}{counts}")
-        return 0
-    stop = _explained(machine, stop, found, began)
-    done = stop.reason in _DONE and not any(why.what in DEPARTURES for why in stop.why)
-    if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not _fed(options):
-        counts += "; --keyboard types at the Teletype, --reader FILE puts a tape in"
-    if not (options.quiet and done):
-        still = f"still running at {stop.pc:04o} when --max-time was over"
-        command.say((still if stop.reason is Reason.LIMIT else ended(stop, machine)) + counts)
-        for sentence in sentences(stop, _listing(found), machine.core):
-            command.say(sentence)
-    return 0 if done else 1
+            command.say(f"loaded in {duration(total)} of tape; switches and keys not counted")
 
+    def _feed(self) -> Feed:
+        """Return the feeder of the Teletype's reader, with the first tape in the reader."""
+        options, machine = self.options, self.machine
+        used = self.paged or options.restore is not None or "-" in (options.program, options.fast_reader)
+        names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
+        feed = Feed(machine.teletype.reader, names, options.quiet)
+        if not feed.next_tape() and options.restore is None:
+            machine.teletype.reader.load(b"")
+        if options.fast_reader is not None:
+            machine.highspeed.reader.load(shelf.read(options.fast_reader))
+        return feed
 
-def _explained(machine: Machine, stop: Stop, found: "Program | None", began: "Values") -> Stop:
-    """Return the stop with its causes, found in the run's history, or by running it again."""
-    words = found.words if found else {}
-    if not may_be_wrong(stop, machine, words):
+    def done(self) -> int:
+        """Run to the end and write what was asked for; return the exit status."""
+        try:
+            stop = self._stop()
+        finally:
+            self._save_mounted()
+            self._save_paper()
+        if self.options.save is not None:
+            from pdp8.computer.past import state
+
+            with self._noting():
+                command.put(self.options.save, state.save(self.machine))
+        for failure in self.failures:
+            command.say(str(failure))
+        status = self._report(stop)
+        return 1 if self.failures else status
+
+    def _stop(self) -> _Ended:
+        """Run to the end, recorded as asked for; return how it ended."""
+        options, machine = self.options, self.machine
+        outputs = []
+        if options.punch is not None or not self.paged:
+            outputs.append(Output(machine.teletype.punch, options.punch))
+        if options.fast_punch is not None:
+            outputs.append(Output(machine.highspeed.punch, options.fast_punch))
+        begun = False
+        stop: _Ended = None
+        with ExitStack() as stack:
+            for output in outputs:
+                stack.callback(output.tell)
+                stack.callback(output.close)
+            stack.enter_context(self._noting())
+            if options.trace is not None:
+                from pdp8.cli.running.watching import tracing
+
+                stack.enter_context(tracing(machine, options.trace, self.listing))
+            if options.count or options.annotate:
+                from pdp8.cli.running.watching import counting
+
+                stack.enter_context(counting(machine, self.listing, options.count, options.annotate))
+            live = self._live(stack)
+            begun, stop = True, _FAILED
+            try:
+                if live is not None:
+                    stop = live(partial(send, outputs))
+                else:
+                    pace = options.max_time, options.realtime, options.quiet
+                    stop = pacing.run(machine, self.feed, outputs, *pace)
+            except (
+                BrokenPipeError
+            ):  # the reader of the tape has closed it; what else was asked for is written
+                command.silence(sys.stdout)
+                send(outputs)
+                stop = _CLOSED
+            except ShelfError as error:
+                self.failures.append(error)
+        if not begun:
+            raise self.failures.pop()
         return stop
-    from pdp8.computer.past.history import History
 
-    history = machine.recorder
-    if not isinstance(history, History):
-        history = rerun(machine, began)
-    return explained(stop, history, words)
+    def _live(self, stack: ExitStack) -> Callable[[Callable[[], object]], Stop | None] | None:
+        """Return the function that runs the machine with a user at its Teletype; None without a user."""
+        options = self.options
+        if options.keyboard:
+            from pdp8.cli.monitor import sit_down
+
+            pace = options.max_time, options.realtime
+            return partial(sit_down, self.machine, self.listing, self.mounted, *pace)
+        if options.line is not None and sys.platform != "win32":  # as _check_options has it
+            from pdp8.cli.running.line import opened
+
+            line = opened(options.line, options.line_bits, options.line_speed == "full")
+            return partial(stack.enter_context(closing(line)).run, self.machine, options.max_time)
+        return None
+
+    @contextmanager
+    def _noting(self) -> Iterator[None]:
+        """Add a ShelfError that is raised inside to the failures."""
+        try:
+            yield
+        except ShelfError as error:
+            self.failures.append(error)
+
+    def _save_mounted(self) -> None:
+        """Save the reels and the disk that options name, and then the others that were written."""
+        if self.mounted is None:
+            return
+        for device, name in self.reels_out.items():
+            with self._noting():
+                command.say(self.mounted.save(device, name))
+        if self.options.save is None:
+            for said in self.mounted.rescue():
+                command.say(said)
+
+    def _save_paper(self) -> None:
+        """Save the printer's text."""
+        if self.options.printer is None:
+            return
+        from pdp8.computer.rack.lp08 import LP08
+
+        for device in self.machine.devices:
+            with self._noting():
+                if isinstance(device, LP08):
+                    command.put(self.options.printer, device.paper)
+
+    def _report(self, stop: _Ended) -> int:
+        """Say how the run ended; return the exit status."""
+        options, machine, feed = self.options, self.machine, self.feed
+        if stop is None and options.keyboard:
+            return 0
+        counts = _counts(machine, feed.read)
+        if feed.left and not options.quiet:
+            command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
+        if options.restore and not (options.reader or options.quiet):
+            say_unread()
+        if not options.quiet:
+            self._tell_of_channel_8()
+        if stop is None:
+            command.say(f"interrupted at {machine.pc:04o}{counts}")
+            return 130
+        if stop == _FAILED:
+            command.say(f"stopped at {machine.pc:04o}, as an output or a tape failed{counts}")
+            return 1
+        if stop == _CLOSED:
+            if not options.quiet:
+                command.say(f"the reader of standard output has closed it, at {machine.pc:04o}{counts}")
+            return 0
+        stop = self._explained(stop)
+        done = stop.reason in _DONE and not any(why.what in DEPARTURES for why in stop.why)
+        fed = options.reader or options.fast_reader or options.restore or self.paged
+        if stop.reason is Reason.TAPE_OUT and sys.stdin.isatty() and not fed:
+            counts += "; --keyboard types at the Teletype, --reader FILE puts a tape in"
+        if not (options.quiet and done):
+            still = f"still running at {stop.pc:04o} when --max-time was over"
+            command.say((still if stop.reason is Reason.LIMIT else ended(stop, machine)) + counts)
+            for sentence in sentences(stop, self.listing, machine.core):
+                command.say(sentence)
+        return 0 if done else 1
+
+    def _explained(self, stop: Stop) -> Stop:
+        """Return the stop with its causes, found in the run's history, or by running it again."""
+        words = self.found.words if self.found else {}
+        if not may_be_wrong(stop, self.machine, words):
+            return stop
+        from pdp8.computer.past.history import History
+
+        history = self.machine.recorder
+        if not isinstance(history, History):
+            history = rerun(self.machine, self.began)
+        return explained(stop, history, words)
+
+    def _tell_of_channel_8(self) -> None:
+        """Say how to get text from what was printed: a pipe receives frames, with channel 8."""
+        if self.options.punch is not None or self.paged or not stat.S_ISFIFO(os.fstat(1).st_mode):
+            return
+        frames = self.machine.teletype.punch.tape
+        if codes.recognise(frames) is codes.ASCII and not frames.isascii():
+            command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
 
 
-def _tell_of_channel_8(options: Options, machine: Machine) -> None:
-    """Say how to get text from what was printed: a pipe receives frames, with channel 8."""
-    if options.punch is not None or _paged(options) or not stat.S_ISFIFO(os.fstat(1).st_mode):
-        return
-    frames = machine.teletype.punch.tape
-    if codes.recognise(frames) is codes.ASCII and not frames.isascii():
-        command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
-
-
-def _check_options(options: Options, more: Sequence[str]) -> None:
+def _check_options(options: Options, more: Sequence[str], reels_in: Collection[str]) -> None:
     """Raise UsageError for options that mean nothing together, and for what follows the program."""
     if more:
         raise click.UsageError(
             f"{more[0]}: one PROGRAM is run; a tape goes into the reader: --reader {more[0]}"
         )
-    bootable = options.disk is not None or 0 in _by_drive(options.dectape)
-    if options.program is None and options.restore is None and not bootable:
+    if options.program is None and options.restore is None and not {"df", "dt0"} & set(reels_in):
         raise click.UsageError(
             "give a PROGRAM, or --restore FILE, or --dectape 0=FILE or --disk df32=FILE to boot."
         )
@@ -457,118 +524,23 @@ def _check_options(options: Options, more: Sequence[str]) -> None:
         raise click.UsageError("--line needs the serial lines of Linux, macOS or another POSIX system.")
 
 
-def _listing(found: "Program | None") -> "Listing":
-    from pdp8.computer.use.trace import Listing
+def _by_device(reels: Sequence[str], disk: str | None) -> dict[str, str]:
+    """Return the files of N=FILE and df32=FILE, by the devices that they go on."""
+    found: dict[str, str] = {}
+    if reels:
+        from pdp8.reels import assignment
 
-    return found.listing if found else Listing()
-
-
-def _restored(options: Options, devices: "fitting.Devices") -> Machine:
-    """Return the saved machine, with `devices` too, and with the reels that are mounted."""
-    from pdp8.computer.past import state
-
-    text = shelf.read_text(str(options.restore), state.LARGEST)
-    fitted = [made() for made in devices]
-    _mount(options, fitted)
-    with naming(str(options.restore)):
-        return state.restore(text, fitted, known=fitting.known())
-
-
-def _by_drive(given: Sequence[str]) -> dict[int, str]:
-    """Return the files of N=FILE, by drives."""
-    if not given:
-        return {}
-    from pdp8 import reels
-
-    found: dict[int, str] = {}
-    for each in given:
-        unit, name = reels.assignment(each)
-        if unit in found:
-            raise click.UsageError(f"{each}: drive {unit} has {found[unit]}.")
-        found[unit] = name
+        for each in reels:
+            device, name = assignment(each)
+            if device in found:
+                raise click.UsageError(f"{each}: drive {device[2:]} has {found[device]}.")
+            found[device] = name
+    if disk is not None:
+        kind, _, file = disk.partition("=")
+        if kind != "df32" or not file:
+            raise click.UsageError(f"{disk}: df32=FILE is expected, and there is no other disk.")
+        found["df"] = file
     return found
-
-
-def _mount(options: Options, devices: Sequence[Peripheral]) -> None:
-    """Mount the reels of --dectape, and say what there is to say of them."""
-    if not options.dectape:
-        return
-    from pdp8 import reels
-
-    mounted = reels.Reels(reels.drives(devices))
-    for unit, name in _by_drive(options.dectape).items():
-        notes = mounted.mount(unit, name)
-        if not options.quiet:
-            command.say_of(name, notes)
-
-
-def _disk_file(given: str) -> str:
-    """Return the file of df32=FILE."""
-    name, _, file = given.partition("=")
-    if name != "df32" or not file:
-        raise click.UsageError(f"{given}: df32=FILE is expected, and there is no other disk.")
-    return file
-
-
-def _reels(options: Options, machine: Machine) -> "Reels | None":
-    """Return the reels and discs of the machine with their files, if it may have some."""
-    if not (options.dectape or options.disk or options.device or options.restore or options.keyboard):
-        return None
-    from pdp8.reels import Reels
-
-    mounted = Reels()
-    mounted.names = {f"dt{unit}": name for unit, name in _by_drive(options.dectape).items()}
-    mounted.look_at(machine)
-    if options.disk is not None:
-        mounted.fill(_disk_file(options.disk))
-    return mounted
-
-
-def _save_mounted(options: Options, mounted: "Reels | None", failures: list[ShelfError]) -> None:
-    """Save the reels and the disk that options name, and then the others that were written."""
-    if mounted is None:
-        return
-    files = {f"dt{unit}": name for unit, name in _by_drive(options.save_dectape).items()}
-    if options.save_disk is not None:
-        files["df"] = _disk_file(options.save_disk)
-    for device, name in files.items():
-        with _noted(failures):
-            command.say(mounted.save(device, name))
-    if options.save is None:
-        for said in mounted.rescue():
-            command.say(said)
-
-
-def _save_paper(options: Options, machine: Machine, failures: list[ShelfError]) -> None:
-    """Save the printer's text."""
-    if options.printer is None:
-        return
-    from pdp8.computer.rack.lp08 import LP08
-
-    for device in machine.devices:
-        with _noted(failures):
-            if isinstance(device, LP08):
-                command.put(options.printer, device.paper)
-
-
-def _boot(options: Options, machine: Machine, found: "Program") -> None:
-    """Load the program as an operator does, saying what it took."""
-    from pdp8.computer.use.operator import Operator
-    from tapes import rim
-    from tapes.quantities import duration
-
-    if options.loader is None:
-        tape = rim.encode(shelf.bundled_program("bin.pal").words)
-    else:
-        of_loader = shelf.program(options.loader, options.force)
-        tape = of_loader.tape if of_loader.code is codes.RIM else rim.encode(of_loader.words)
-    total = 0.0
-    for step in Operator(machine).boot(tape, found.tape, called(found.name), options.force):
-        total += step.seconds
-        if not options.quiet:
-            command.say(str(step))
-    if not options.quiet:
-        command.say(f"loaded in {duration(total)} of tape; switches and keys not counted")
 
 
 def _counts(machine: Machine, read: int) -> str:

@@ -78,8 +78,8 @@ class Launch:
         machine = Machine(memory=MEMORY[self.memory])
         fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))
         monitor = Monitor(say, machine, found.listing)
-        for unit, name in map(reels.assignment, self.dectape):
-            rack.attach(monitor, f"dt{unit}", name)
+        for device, name in map(reels.assignment, self.dectape):
+            rack.attach(monitor, device, name)
         if self.boot and len(self.program) > 1:
             raise WorkError("boot: the program is one tape; assemble its sources first")
         if self.boot:

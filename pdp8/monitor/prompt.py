@@ -62,7 +62,7 @@ class Monitor:
     def attend(self, machine: Machine) -> None:
         """Use `machine` from now on."""
         self.machine = machine
-        self.reels.look_at(machine)
+        self.reels.look_at(machine.devices)
         self.history = History(machine)
         """What can be undone: all since then."""
         self.operator = Operator(machine, Pace(pressing=HANDS))

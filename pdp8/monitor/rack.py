@@ -1,5 +1,7 @@
 """Commands about what is in the rack: DECtapes on their drives, a DF32, a line printer."""
 
+import re
+
 from pdp8 import fitting, reels
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.bus import Peripheral
@@ -11,7 +13,6 @@ from pdp8.computer.use import bootstrap
 from pdp8.monitor import running, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.prompt import Monitor
-from tapes.quantities import counted
 
 RACK: dict[str, type[Peripheral]] = {"dt": TC08, "df": DF32, "lpt": LP08}
 """Devices that attaching a file fits, by SIMH's names."""
@@ -31,7 +32,7 @@ _NEVER = {
 """Devices of SIMH's PDP-8/E, by their names there."""
 _ELSE: dict[str, type[KW8 | PT08]] = {"clk": KW8, "ttix": PT08, "ttox": PT08}
 """What a PDP-8/L could have in their place."""
-_NO_DISCS = "{}: no DF32 is fitted; attach df FILE fits it"
+_DEVICE = re.compile(r"dt\d+|df0?", re.IGNORECASE)
 
 
 def absent(monitor: Monitor, name: str) -> str:
@@ -63,42 +64,39 @@ def fitted(monitor: Monitor, kind: str) -> bool:
 
 def attach(monitor: Monitor, device: str, name: str, locked: bool = False) -> None:
     """Mount a DECtape image on a drive, or fill the discs of a DF32. The file is not written."""
-    mounted, place = monitor.reels, _place(device)
-    _check_saved(monitor, place, device if place == "df" else place)
-    where = "the DF32"
-    if place == "df":
-        fit(monitor, "df")
-        mounted.fill(name)
-    else:
-        unit = reels.drive(place)
-        mounted.read(unit, name)
-        fit(monitor, "dt")
-        for note in mounted.mount(unit, name, locked):
-            monitor.say(f"{name}: {note}")
-        where = f"{place}{', locked' if locked else ''}"
+    device = reels.device(device)
+    kind = device.rstrip("01234567")
+    _check_saved(monitor, device)
+    if not fitted(monitor, kind):
+        reels.Reels().mount(device, name)  # a file that is refused fits nothing
+        fit(monitor, kind)
+    for note in monitor.reels.mount(device, name, locked):
+        monitor.say(f"{name}: {note}")
+    where = "the DF32" if kind == "df" else f"{device}{', locked' if locked else ''}"
     monitor.say(f"{name} is on {where}; the file itself is not written")
 
 
 def detach(monitor: Monitor, device: str, where: str) -> None:
     """Take a DECtape off its drive, or empty the discs; save them in FILE, or forget what was written."""
-    mounted, place = monitor.reels, _place(device)
-    if place not in mounted.names:
-        raise MonitorError(_NO_DISCS.format(device) if place == "df" else f"{place}: no tape is mounted")
+    place = _mounted(monitor, device)
     if where not in ("", "forget"):
-        monitor.say(mounted.save(place, where))
+        monitor.say(monitor.reels.save(place.device, where))
     elif not where:
-        _check_saved(monitor, place, device)
-    mounted.take_off(place)
+        _check_saved(monitor, place.device)
+    place.take_off()
 
 
-def _place(device: str) -> str:
-    """Return the name of a device of the rack as `Reels` has it: df0 is df. Raises WorkError."""
-    return "df" if device.lower().startswith("df") else f"dt{reels.drive(device)}"
+def _mounted(monitor: Monitor, device: str) -> "reels.Reel | reels.Discs":
+    """Return the place that a name such as dt0 or df0 is of. Raises WorkError where nothing is mounted."""
+    place = monitor.reels.places[reels.device(device)]
+    if not place.file:
+        raise MonitorError(f"{device}: {place.missing}")
+    return place
 
 
-def _check_saved(monitor: Monitor, place: str, device: str) -> None:
+def _check_saved(monitor: Monitor, device: str) -> None:
     """Raise MonitorError if something was written and not saved."""
-    if written := monitor.reels.said(place):
+    if written := monitor.reels.said(device):
         raise MonitorError(f"{written}; detach {device} FILE saves them, or forget drops them")
 
 
@@ -111,33 +109,17 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
         more = tuple(rest)
     if what := absent(monitor, name):
         raise MonitorError(f"{name}: {what}")
-    if name.lower() in ("df", "df0"):
-        if "df" not in monitor.reels.names:
-            raise MonitorError(_NO_DISCS.format(name))
-        toggled = bootstrap.DF32
-    elif name.lower().startswith("dt") and name[2:].isdigit():
-        unit = reels.drive(name)
-        if f"dt{unit}" not in monitor.reels.names:
-            raise MonitorError(f"{name}: no tape is mounted; attach {name} FILE")
-        toggled = bootstrap.bootstrap(unit)
+    if _DEVICE.fullmatch(name):
+        bootstrap.boot(monitor.machine, _mounted(monitor, name).bootstrap)
+        running.run(monitor)
     else:
         tapes.boot(monitor, name, *more)
-        return
-    bootstrap.boot(monitor.machine, toggled)
-    running.run(monitor)
 
 
 def show(monitor: Monitor) -> None:
     """Say what is on the drives, if there are any."""
-    mounted = monitor.reels
-    for device in mounted.devices():
-        number = mounted.changed(device)
-        if device == "df":
-            more = ", changed" if number else ""
-        else:
-            more = ", locked" if mounted.drives[reels.drive(device)].locked else ""
-            more += f", {counted(number, 'blocks')} written" if number else ""
-        monitor.say(f"{device:5}{mounted.names[device]}{more}")
+    for place in monitor.reels.mounted():
+        monitor.say(f"{place.device:5}{place.file}{place.remarks()}")
 
 
 def leave(monitor: Monitor) -> None:

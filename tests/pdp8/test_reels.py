@@ -8,6 +8,7 @@ from unittest.mock import patch
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.dectape.tc08 import TC08
 from pdp8.monitor import rack
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
@@ -52,7 +53,9 @@ def monitor(tmp_path: Path) -> Monitor:
     said: list[str] = []
     made = Monitor(said.append)
     do(made, f"attach dt0 {file(tmp_path / 'reel.tu56')}")
-    made.reels.drives[0].write(5, 7, 0o1234)
+    control = made.machine.devices[-1]
+    assert isinstance(control, TC08)
+    control.drives[0].write(5, 7, 0o1234)
     return made
 
 
@@ -81,7 +84,7 @@ def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor,
     for line in ("detach dt0 /dev/full", f"detach dt0 {tmp_path / 'reel.tu56'}", "detach dt0"):
         with pytest.raises(WorkError):
             do(monitor, line)
-        assert monitor.reels.changed("dt0") == 1
+        assert monitor.reels.places["dt0"].changed() == 1
     saved = tmp_path / "saved.tu56"
     with patch.object(shelf, "write", failing(1)), pytest.raises(WorkError, match="No space left"):
         do(monitor, f"detach dt0 {saved}")
