@@ -99,8 +99,8 @@ def _check_smooth(line: list[Place], axis: int, least: float) -> None:
             by = abs(here[axis] - end) if end is not None else 0.0
             if _FINE < by < least:
                 raise WorkError(
-                    f"the outline is rough at {_at(here)}: along {'XY'[axis]} it goes back and forth by "
-                    f"{by:.4f} in, {least:g} is the least: smooth it"
+                    f"the outline is rough at {_at(here)}: along {'XY'[axis]} it turns back by "
+                    f"{by:.4f} in; less than {least:g} is too little to cut: smooth it"
                 )
             end = here[axis]
 

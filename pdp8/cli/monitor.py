@@ -118,7 +118,7 @@ def sit_down(
     realtime: bool,
     pass_on: Callable[[], object],
 ) -> Stop | None:
-    """Run with the terminal as the Teletype and return how it stopped; Ctrl-] opens the monitor: None."""
+    """Run with the terminal as the Teletype; return how the run stopped, None if Ctrl-] ended it."""
     from pdp8.cli.running.keyboard import Terminal
 
     terminal = Terminal(pass_on)

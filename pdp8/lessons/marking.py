@@ -1,8 +1,7 @@
 """Points and failures: an answer held against every case or question of its exercise.
 
 A case gives its points when everything it looks at is as expected in every trial, and none otherwise; the
-first trial that fails is shown. Bounds on the source and words it must or must not have count for the whole:
-what breaks them gets no points. Of a hidden case nothing is kept but what was wrong.
+first trial that fails is shown. X Of a hidden case nothing is kept but what was wrong.
 """
 
 from collections.abc import Iterator

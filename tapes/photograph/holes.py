@@ -52,7 +52,7 @@ def grid(sheet: Sheet, width: float = 1, weight: float = 1) -> Points:
 
 
 def _first(pictures: Sizes, row: Row) -> Sheet:
-    """Return the sheet of a row by the slant and distance with most dark places beside it."""
+    """Return the sheet of a row, its slant and distance those that put most dark places on its tracks."""
     length = len(row.places)
     steps = cv2.blur(np.gradient(row.places, axis=0), _AROUND, borderType=cv2.BORDER_REPLICATE)
     square = np.stack([-steps[:, 1], steps[:, 0]], axis=1)

@@ -168,7 +168,7 @@ def test_a_step_too_low_for_the_cutter_is_refused_wherever_its_points_begin() ->
         (
             _file(_around(400, lambda x: (1.5 * cos(x), 1.5 * sin(x) + 0.001 * cos(200 * x)))),
             None,
-            "the outline is rough at X .*: along Y it goes back and forth by 0.00.* in, 0.012 is the least",
+            "the outline is rough at X .*: along Y it turns back by 0.00.* in; less than 0.012 is too little",
         ),
         (_file(SQUARE), 4, "cutter of 4 in is too big: the profile bends more sharply"),
         (

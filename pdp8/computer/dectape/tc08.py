@@ -220,7 +220,7 @@ class TC08(BreakDevice):
         self.asked = self.late = NEVER
 
     def _plan_at(self, event: int, line: int, now: int, before: int = 0) -> None:
-        """Plan an event so much before a line of the block, or the end zone where there is no such block."""
+        """Plan an event at a line of the block, less a lead time; past the last block plan the end zone."""
         if self.block >= BLOCKS:
             self._plan_zone(now)
         else:
@@ -433,5 +433,5 @@ class Door(Device):
 
 
 def _first(at: int, before: int, lines: int = BLOCK_LINES) -> int:
-    """Return the first block, or other unit of `lines`, whose line `before` is not passed at `at`."""
+    """Return the first block, or unit of so many `lines`, of which line `before` comes after place `at`."""
     return max(-((END_ZONE * LINE - at + before * LINE) // (lines * LINE)), 0)

@@ -111,7 +111,7 @@ class Expressions(Types):
         return kind
 
     def accept(self, value: ast.expr, wanted: Type) -> None:
-        """Refuse what is not of the type that is wanted: the translation relies on annotations."""
+        """Refuse a value of another type than the annotation says: the translation relies on it."""
         if not isinstance(value, ast.Lambda) and wanted != ANY:
             kind = self.infer(value)
             if not self._may_be(kind, wanted):
@@ -243,7 +243,7 @@ class Expressions(Types):
     # Keys, iterations.
 
     def keyed(self, node: ast.AST, kind: Type) -> None:
-        """Refuse keys that JavaScript tells apart otherwise: all but numbers, texts, None and objects."""
+        """Refuse keys that JavaScript compares unlike Python: all but numbers, texts, None and objects."""
         kinds = either(kind)
         mixed = BOOL in kinds and any(each in NUMBERS for each in kinds)
         for each in kinds:
@@ -254,7 +254,7 @@ class Expressions(Types):
                 self.refuse(node, f"{kind} as a key", "a text or a number")
 
     def key(self, node: ast.AST, kind: Type, of: Type) -> None:
-        """Refuse a key of a Dict or set `of` that JavaScript tells apart otherwise from those in it."""
+        """Refuse a key that JavaScript compares with the keys of the Dict or set `of` unlike Python."""
         if UNSEEN not in of.of and (BOOL in either(kind)) != (BOOL in either(of.of[0])):
             self.fail(node, f"{kind} as a key of {of}")
         if ANY in either(kind):
@@ -430,11 +430,11 @@ class Expressions(Types):
         return f"$.{name}({a}, {b})"
 
     def _has_identity(self, kind: Type) -> bool:
-        """Whether `is` tells in JavaScript what it tells in Python."""
+        """Whether `is` means in JavaScript what it means in Python."""
         return all(each.name in _IDENTICAL or self.ours(each) is not None for each in either(kind))
 
     def comparable(self, node: ast.AST, one: Type, other: Type) -> None:
-        """Refuse to compare what only Python tells apart: a list and a tuple, or what is unknown."""
+        """Refuse a comparison that JavaScript does otherwise: a list with a tuple, or what is unknown."""
         if not self._equatable(one, other):
             self.refuse(node, f"{one} compared with {other}", "both as lists, or an annotation")
 
@@ -459,7 +459,7 @@ class Expressions(Types):
         return len(ours) == 2 and (parts is None) == (others is None)
 
     def orderable(self, node: ast.AST, one: Type, other: Type) -> None:
-        """Refuse the order of what JavaScript orders otherwise, or of what is unknown."""
+        """Refuse to order what JavaScript orders unlike Python, or what is unknown."""
         if not self._ordered(one, other):
             self.refuse(node, f"the order of {one} and {other}", "a key, or an annotation")
 

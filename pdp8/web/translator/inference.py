@@ -81,7 +81,7 @@ class Types:
 
     @contextmanager
     def naming(self, names: Mapping[str, Type]) -> Iterator[None]:
-        """Know the types of these names inside; afterwards forget them, and what tests have said inside."""
+        """Give these names these types within the block; then forget them and what tests said in it."""
         scope, held = self.scope, self.held
         self.scope, self.held = scope.new_child(dict(names)), dict(held)
         for name in names:
@@ -447,7 +447,7 @@ class Types:
         return self.item(kind) if kind.name in _SEQUENCES or parts else ANY
 
     def entered(self, generator: ast.comprehension) -> list[str]:
-        """Know the names that a comprehension's loop sets; return them."""
+        """Learn the types of the names that a comprehension's loop sets; return them."""
         sets = {leaf(target): kind for target, kind in self._set_by(generator)}
         self.scope |= sets
         for name in sets:
@@ -705,7 +705,7 @@ class Types:
 
     @contextmanager
     def holding(self, test: ast.expr, positive: bool) -> Iterator[None]:
-        """Know inside what a test says if it is true, or if it is false."""
+        """Within the block, use what the test implies if it is true, or if it is false."""
         said = self.said(test, positive)
         if not said:
             yield
@@ -717,13 +717,13 @@ class Types:
             self.held = held
 
     def forget(self, name: str) -> None:
-        """Forget what has been said of a name, and of what it leads to."""
+        """Forget what tests said of a name, and of its attributes."""
         pattern = re.compile(rf"\b{re.escape(name)}\b")
         for each in [each for each in self.held if pattern.search(each)]:
             del self.held[each]
 
     def said(self, test: ast.expr, positive: bool) -> dict[str, Type]:
-        """Return what a test says of names and attributes if it is true, or if it is not: {source: type}."""
+        """Return the types of names and attributes if a test is true, or if it is not: {source: type}."""
         match test:
             case ast.UnaryOp(ast.Not(), value):
                 return self.said(value, not positive)

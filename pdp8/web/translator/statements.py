@@ -162,7 +162,7 @@ class Statements(Calls):
         return False
 
     def _set_in(self, body: Iterable[ast.AST]) -> None:
-        """Forget what has been said of what these statements set."""
+        """Forget what tests said of the names that these statements set."""
         for node in own(body):
             if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
                 self.forget(ast.unparse(node))
@@ -315,14 +315,14 @@ class Statements(Calls):
         self.fail(target, instead="an assignment to a name or an item")
 
     def _now(self, key: str, node: ast.expr | None, declared: Type) -> None:
-        """Know the type that a name or an attribute has from here on."""
+        """Learn the type that a name or an attribute has from here on."""
         kind = self.infer(node) if node is not None and declared.name in ("|", "SupportsInt") else ANY
         self.forget(key)
         if kind != ANY and (declared.name != "|" or all(each in declared.of for each in either(kind))):
             self.held[key] = kind
 
     def _changeable(self, target: ast.Attribute, of: ast.expr) -> None:
-        """Refuse to set what cannot be set, or not so in JavaScript."""
+        """Refuse to set what cannot be set, or is set in another way in JavaScript."""
         found = self.found(of)
         if found is not None and (found.is_module or found.is_class):
             self.fail(target, "an attribute of a class or module is set", "an attribute of an instance")

@@ -58,7 +58,7 @@ def either(kind: Type) -> tuple[Type, ...]:
 
 
 def join(*kinds: Type) -> Type:
-    """Return the type of what is of one of these types."""
+    """Return the type of a value that has one of these types."""
     found: list[Type] = []
     for kind in (each for one in kinds for each in either(one)):
         if kind == ANY:
@@ -94,7 +94,7 @@ def without_none(kind: Type) -> Type:
 
 
 def widened(kind: Type) -> Type:
-    """Return the type of an attribute or an item that begins as `kind` and may change."""
+    """Return the type of an attribute or item whose first value has type `kind`, and which may change."""
     if kind == WORD:
         return INT
     return Type(kind.name, tuple(map(widened, kind.of))) if kind.of and kind.name != "call" else kind
@@ -106,7 +106,7 @@ def made(name: str, *of: Type) -> Type:
 
 
 def item_of(kind: Type) -> Type:
-    """Return what an iteration yields, as far as it is no class of ours."""
+    """Return the type of what an iteration yields; not for a class of ours."""
     if kind.name == "|":
         return join(*map(item_of, kind.of))
     if kind.name == "tuple":
