@@ -1,14 +1,16 @@
 """What students write by mistake, in mistakes/; and in said.txt all that is said of each, as it was read by
-eye: line, columns, code, message, advice, hint. In auto.txt PN36 says that PAL8 was found. Below, what of a
-line is shown.
+eye: line, columns, code, message, advice, hint. In auto.txt PN36 says that PAL8 was found. In beside.txt the
+nearest sources that have a note and do not. Below, what of a line is shown.
 
 A `$` is added where there is none, but at "no end". No advice changes what a source means: it names what to
 write, and never says to take a character away.
 """
 
+import re
 from pathlib import Path
 
 import pal
+from tests.conftest import case
 
 FOLDER = Path(__file__).parent / "mistakes"
 
@@ -25,6 +27,21 @@ def test_what_is_said_of_each_is_what_was_read() -> None:
                 told = (place, found.code, found.message, found.advice, found.hint)
                 said.append(" | ".join(filter(None, told)))
     assert said == (FOLDER / "said.txt").read_text("utf-8").splitlines()
+
+
+def test_each_note_is_said_of_one_source_and_not_of_the_nearest() -> None:
+    """A line of beside.txt: the note, a dialect or a model, and a source. Of `[one|other]` the first has no
+    such note and the second has it; ! ends a line; A{3} is AAA.
+    """
+    for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines():
+        code, how, template = line.split(" ", 2)
+        for said in (False, True):
+            text = re.sub(r"\[([^|]*)\|([^]]*)\]", r"\2" if said else r"\1", template).replace("!", "\n")
+            text = re.sub(r"(.)\{(\d+)\}", lambda found: found[1] * int(found[2]), text)
+            text += "" if "$" in template else "\n$\n"
+            with case(line, text):
+                found = pal.assemble(text, dialect=how) if how[0] == "p" else pal.assemble(text, model=how)
+                assert (code in [each.code for each in found.diagnostics]) == said
 
 
 def test_of_an_empty_line_nothing_is_shown() -> None:

@@ -138,6 +138,29 @@ def test_a_document_knows_what_stands_where() -> None:
     assert (known.hover(0, 3, 0), one("*200\n").folds(0)) == ("", [])
 
 
+TAPES = (
+    "*200\n\tJMS A\n\tHLT\n/ONE\n/TWO\nA,\t0\n\tTAD N\n\tJMP I A\nN,\t5\nX=3\nPAUSE\n",
+    "*400\nB,\t0\n\tJMS B\n/END\n\tJMP I B\nPAUSE\n",
+)
+
+
+def test_of_a_tape_beside_another_is_known_what_is_known_of_it_alone() -> None:
+    """Whichever comes first, as they share no symbol."""
+    alone = [one(text) for text in TAPES]
+    for order in ((0, 1), (1, 0)):
+        both = Document([Text(TAPES[at]) for at in order], [f"{at}" for at in order])
+        for tape, at in enumerate(order):
+            with case(order, at):
+                other = alone[at]
+                assert both.folds(tape) == other.folds(0)
+                assert [*both.hints(tape)] == [*other.hints(0)]
+                tokens = [(span[1:], *more) for span, *more in both.tokens(tape)]
+                assert tokens == [(span[1:], *more) for span, *more in other.tokens(0)]
+                for line, text in enumerate(other.tapes[0]):
+                    for column in range(len(text)):
+                        assert both.hover(tape, line, column) == other.hover(0, line, column)
+
+
 COLUMNS = {
     "  /C": "  /C",
     "*200 /X": "*200\t\t\t/X",
