@@ -6,6 +6,7 @@ have none is refused: one that is set only in a branch, or in a loop that may no
 
 import ast
 from collections.abc import Iterable
+from functools import reduce
 
 from pdp8.web.translator.expressions import Expressions
 
@@ -20,6 +21,7 @@ class Assigned:
         self._local = frozenset(local)
         self._expressions = expressions
         self._breaks: list[list[frozenset[str]]] = []
+        self._continues: list[list[frozenset[str]]] = []
 
     def after(self, body: list[ast.stmt], known: _Names) -> _Names:
         """Return the names that have a value after these statements; None if control never comes there."""
@@ -37,13 +39,11 @@ class Assigned:
             case ast.While(test, body):
                 where_true, known = self._if_true(test, known), self._read(test, known)
                 endless = isinstance(test, ast.Constant) and bool(test.value)
-                return self._loop(body, where_true, None if endless else frozenset(known))
+                return self._loop(body, where_true, None if endless else known)
             case ast.For(target, source, body):
                 known = self._read(source, known)
-                inside = known | _set_in(target)
-                return self._loop(
-                    body, inside, inside if _runs(self._expressions.constant(source)) else known
-                )
+                runs = _runs(self._expressions.constant(source))
+                return self._loop(body, known | _set_in(target), known, runs)
             case ast.Try(body, handlers, _, last):
                 found = self.after(body, known)
                 for handler in handlers:
@@ -61,6 +61,7 @@ class Assigned:
                 self._breaks[-1].append(known)
                 return None
             case ast.Continue():
+                self._continues[-1].append(known)
                 return None
             case ast.FunctionDef(name):
                 return known | {name}
@@ -73,14 +74,15 @@ class Assigned:
                 return None
         return self._read(node, known) | _set_in(node)
 
-    def _loop(self, body: list[ast.stmt], known: frozenset[str], after: _Names) -> _Names:
+    def _loop(
+        self, body: list[ast.stmt], inside: frozenset[str], after: _Names, runs: bool = False
+    ) -> _Names:
+        """Return the names that have a value after a loop; `runs`: its body does so at least once."""
         self._breaks.append([])
-        end = self.after(body, known)
-        if after is known and end is not None:  # it runs at least once
-            after = end
-        for each in self._breaks.pop():
-            after = _both(after, each)
-        return after
+        self._continues.append([])
+        end = self.after(body, inside)
+        end = reduce(_both, self._continues.pop(), end)
+        return reduce(_both, self._breaks.pop(), end if runs else after)
 
     def _if_true(self, test: ast.expr, known: frozenset[str]) -> frozenset[str]:
         """Return what is known where a test is true."""
