@@ -721,7 +721,10 @@ class Expressions(Types):
         parts = (part for each in (value, *generators) for part in ast.walk(each))
         late = bool(first) or any(isinstance(each, ast.Lambda) for each in parts)
         with self.naming({}):
-            for generator in generators:
+            for at, generator in enumerate(generators):
+                sets = set().union(*(_names_in(each.target) for each in generators[at:]))
+                if not first and sets & _names_in(generator.iter):
+                    self.fail(generator.iter, "a comprehension over a name that it sets", "another name")
                 source = first or self.iterated(generator.iter, ordered)
                 first = ""
                 names += map(named, self.entered(generator))
@@ -770,6 +773,10 @@ class Expressions(Types):
             self.fail(target, "targets within targets of unknown length")
         star = (at for at, each in enumerate(target.elts) if isinstance(each, ast.Starred))
         return ", ".join(map(str, [len(target.elts), *star]))
+
+
+def _names_in(node: ast.expr) -> set[str]:
+    return {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
 
 
 _INSTEAD = {

@@ -92,7 +92,7 @@ class Statements(Calls):
             case ast.Continue():
                 return ["continue;"]
             case ast.Raise(error):
-                return [f"throw {self._raised(error)};"]
+                return [f"throw {self._raised(node, error)};"]
             case ast.FunctionDef():
                 star, head, *rest = self.function(node)
                 if star:
@@ -107,10 +107,10 @@ class Statements(Calls):
                 return [f"{self.e(of)}.pop_({self.e(key)});"]
         self.fail(node, instead=_INSTEAD.get(type(node), ""))
 
-    def _raised(self, error: ast.expr | None) -> str:
+    def _raised(self, node: ast.Raise, error: ast.expr | None) -> str:
         if error is None:
             if not self.catching:
-                self.fail(ast.Raise(), "raise without an error outside of except")
+                self.fail(node, "raise without an error outside of except")
             return "$e"
         found = self.found(error)
         if found and found.is_class:
