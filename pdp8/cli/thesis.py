@@ -40,7 +40,7 @@ def thesis() -> None:
 
     \b
     Examples:
-      pdp8 thesis make
+      pdp8 thesis list
       pdp8 thesis make 7.2 --out figures
       pdp8 thesis make all --out figures
       pdp8 thesis evidence eia.pal
@@ -90,25 +90,17 @@ def numbers_(chapter: int | None, output: str) -> None:
 
 
 @thesis.command()
-@click.argument("number", metavar="[NUMBER|all]", required=False)
-@output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True, needs="NUMBER")
-@flag(
-    "--facsimile", "Listing B, C or D as it stood on its pages; in brackets what we supply.", needs="NUMBER"
-)
+@click.argument("number", metavar="NUMBER|all", required=False)
+@output(Folder(), "FOLDER", "thesis", "Where the files are written.", show_default=True)
+@flag("--facsimile", "Listing B, C or D as it stood on its pages; in brackets what we supply.")
 def make(number: str | None, output: str, facsimile: bool) -> None:
     """Make figure, table, listing or program NUMBER; or all, with a page that sets them beside the thesis.
 
     A figure is an SVG, anything else a text; each has its number and caption. A facsimile has the thesis's
     lines alone, as they stood on its pages; what the scan does not show of them is supplied, in brackets.
 
-    Without NUMBER every figure, table, listing and program is listed with what there is of it here: it is
-    from the text; it is our drawing of what the text says, where the original is lost; some of it is fitted
-    or conjectured; or it is lost.
-
     \b
     Examples:
-      pdp8 thesis make
-      pdp8 thesis make | grep lost
       pdp8 thesis make 7.2
       pdp8 thesis make B --facsimile
       pdp8 thesis make all --out figures
@@ -118,8 +110,7 @@ def make(number: str | None, output: str, facsimile: bool) -> None:
     from pdp8.thesis.making import Made, make
 
     if number is None:
-        _list()
-        return
+        raise click.UsageError("give a NUMBER, or all; pdp8 thesis list has the numbers.")
     if facsimile:
         from pdp8.thesis import facsimile as page
 
@@ -147,15 +138,14 @@ def make(number: str | None, output: str, facsimile: bool) -> None:
 def list_() -> None:
     """List every figure, table, listing and program of the thesis with what there is of it here.
 
+    It is from the text; or our drawing of what the text says, where the original is lost; or some of it is
+    fitted or conjectured; or it is lost.
+
     \b
     Examples:
       pdp8 thesis list
       pdp8 thesis list | grep lost
     """
-    _list()
-
-
-def _list() -> None:
     from pdp8.thesis.catalogue import catalogue
     from pdp8.thesis.table import Table
 

@@ -92,4 +92,4 @@ def find(number: str) -> Item:
     for item in catalogue():
         if item.number.casefold() == number.casefold():
             return item
-    raise WorkError(f"{number}: no such figure, table, listing or program; `pdp8 thesis make` lists all")
+    raise WorkError(f"{number}: no such figure, table, listing or program; `pdp8 thesis list` lists all")

@@ -18,7 +18,7 @@ The state of a number follows from what its measure is made from, and from wheth
     not made here           history, another's measurement, or a specification that is not emulated
 
 Not among them: numbers of figures, tables, chapters, references and models; the codes of Tables 2.3 and 2.4,
-which `pdp8 thesis make` shows; Appendices B to D, which are the evidence's.
+which `pdp8 thesis list` shows; Appendices B to D, which are the evidence's.
 """
 
 import re

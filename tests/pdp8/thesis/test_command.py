@@ -14,7 +14,7 @@ from tests.conftest import Call, Shell
 @pytest.mark.parametrize(
     ("line", "firsts"),
     [
-        ("make", [item.number for item in catalogue()]),
+        ("list", [item.number for item in catalogue()]),
         ("numbers --chapter 9", [f"{one.page}" for one in numbers() if one.chapter == 9]),
     ],
 )
@@ -79,5 +79,7 @@ def test_a_narrow_terminal_has_every_word(
     )
 
 
-def test_the_list_is_what_can_be_made(call: Call) -> None:
-    assert call("pdp8 thesis list")[1] == call("pdp8 thesis make")[1] != ""
+def test_make_alone_says_where_the_numbers_are(call: Call) -> None:
+    status, printed, said = call("pdp8 thesis make")
+    assert (status, printed) == (2, "")
+    assert "give a NUMBER, or all; pdp8 thesis list has the numbers" in said
