@@ -8,8 +8,6 @@ from pdp8.lessons import cards as drawn
 
 _AFTERNOON = "afternoon"
 _PART = "circle"
-_A4 = 841.89, 595.28
-"""Points, the long side across."""
 _NAMES = (*drawn.CARDS, _AFTERNOON)
 
 

@@ -9,10 +9,9 @@ import click
 
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target
-from pdp8.cli.shared.parameters import processor_seconds
+from pdp8.cli.shared.parameters import dialect_option, processor_seconds
 from pdp8.cli.shared.rules import flag, option
 from pdp8.computer.past import state
-from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.lessons import (
     alike,
     bounded,
@@ -56,7 +55,7 @@ _BYTE_ORDER_MARK = "\ufeff"
     needs="ANSWER",
     excludes="--variants",
 )
-@option("--dialect", "Dialect of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@dialect_option()
 @option("--json", "Write the marks as JSON.", Target("JSON"))
 @option("--csv", "Write the marks for a spreadsheet.", Target("text"))
 @option("--junit", "Write the marks as JUnit does.", Target("XML"))

@@ -12,10 +12,10 @@ import click
 from pdp8 import fitting
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
-from pdp8.cli.shared.rules import flag, option
+from pdp8.cli.shared.parameters import device_option, dialect_option
+from pdp8.cli.shared.rules import flag
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
-from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.monitor import rack
 from pdp8.monitor.commands import COMMANDS, do, do_file
 from pdp8.monitor.prompt import Monitor
@@ -35,13 +35,8 @@ _BACK = "cont goes back into the program"
 @click.command(cls=Command)
 @click.argument("script", type=Source(), required=False)
 @flag("--highspeed", "Fit the PC8/L high-speed reader and punch.")
-@option(
-    "--device",
-    "Fit a device, highspeed or a class in a Python file of your own.",
-    multiple=True,
-    metavar="NAME|FILE:CLASS",
-)
-@option("--dialect", "Dialect of PAL source.", click.Choice(DIALECTS), default=FOUND, show_default=False)
+@device_option
+@dialect_option()
 @flag("--echo", "Show each line of a script before its answer.")
 def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialect: str, echo: bool) -> None:
     """Operate the machine by commands: examine, deposit, step, break, trace; from SCRIPT or at a prompt.

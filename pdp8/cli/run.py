@@ -17,14 +17,13 @@ from pdp8.cli.running.feed import Feed, say_unread
 from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
-from pdp8.cli.shared.parameters import octal, seconds
+from pdp8.cli.shared.parameters import device_option, dialect_option, octal, seconds
 from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import DEPARTURES, ended, explained, may_be_wrong, rerun, sentences
-from pdp8.computer.use.program import DIALECTS, FOUND
 from pdp8.shelf import ShelfError
 from tapes import codes
 from tapes.errors import called, naming
@@ -61,12 +60,7 @@ class Options:
     fast_punch: str | None = field(
         "--fast-punch", "Fit the high-speed punch; its tape goes here.", Target("tape")
     )
-    device: tuple[str, ...] = field(
-        "--device",
-        "Fit a device, highspeed or a class in a Python file of your own.",
-        multiple=True,
-        metavar="NAME|FILE:CLASS",
-    )
+    device: tuple[str, ...] = of(device_option)
     memory: str = field(
         "--memory",
         "Words of core; no PDP-8/L had 32k.",
@@ -134,14 +128,7 @@ class Options:
         Source(),
         needs="--boot",
     )
-    dialect: str = field(
-        "--dialect",
-        "Dialect of PAL source.",
-        click.Choice(DIALECTS),
-        default=FOUND,
-        needs="PROGRAM",
-        show_default=False,
-    )
+    dialect: str = of(dialect_option(needs="PROGRAM"))
     force: bool = of(flag("--force", "Load a damaged tape as far as it can be read.", needs="PROGRAM"))
     trace: str | None = field(
         "--trace", "Write each instruction: time, L AC, MA MB, its listing.", Target("text")

@@ -1,6 +1,29 @@
-"""What options take: octal words, seconds of machine time."""
+"""What options take: octal words, seconds of machine time; and the options that several commands have."""
+
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import click
+
+from pdp8.cli.shared.rules import option
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def dialect_option(needs: str = "") -> Callable[[_Function], _Function]:
+    """Return the decorator that adds --dialect."""
+    from pdp8.computer.use.program import DIALECTS, FOUND
+
+    kind = click.Choice(DIALECTS)
+    return option("--dialect", "Dialect of PAL source.", kind, default=FOUND, show_default=False, needs=needs)
+
+
+device_option = option(
+    "--device",
+    "Fit a device, highspeed or a class in a Python file of your own.",
+    multiple=True,
+    metavar="NAME|FILE:CLASS",
+)
 
 
 def octal(text: str) -> int:

@@ -17,7 +17,7 @@ file, with status 2; what depends on the tape that is read is checked by the com
 """
 
 import dataclasses
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import fields, is_dataclass
 from functools import wraps
 from inspect import signature
@@ -133,13 +133,6 @@ def is_given(ctx: click.Context, param: click.Parameter) -> bool:
     """Tell whether a parameter was given on the command line."""
     source = ctx.get_parameter_source(param.name or "")
     return source is ParameterSource.COMMANDLINE and ctx.params.get(param.name or "", True) != ()
-
-
-def named(param: click.Parameter) -> Iterator[str]:
-    """Yield the options that a declaration names, without their values."""
-    for rule in ("needs", "excludes", "only"):
-        for word in (getattr(param, rule, None) or "").split():
-            yield word.partition("=")[0]
 
 
 def _told(names: Iterable[str], joint: str) -> str:
