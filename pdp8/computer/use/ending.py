@@ -25,6 +25,7 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop, Why
 from pdp8.computer.use.trace import Listing
+from tapes.quantities import counted
 
 KEY = "key"
 READER = "high-speed reader"
@@ -169,60 +170,39 @@ def hands(machine: Machine, why: tuple[Why, ...]) -> list[str]:
 
 def said(why: Why, listing: Listing, core: Core) -> str:
     """Return the sentence for a reason."""
-    at = _line(listing, core, why.address)
-    if why.what == KEY:
-        return f"It waits for a key, or a tape in the reader, at {at}."
-    if why.what == READER:
-        return f"It waits for a frame from the high-speed reader at {at}: {_READER[why.number]}."
-    if why.what == PUNCH:
-        return f"It waits for the high-speed punch at {at}, which was sent nothing: a PLS raises its flag."
-    if why.what == PRINTER:
-        return f"It waits for the printer's flag at {at}: no character is on its way; a TLS raises the flag."
-    if why.what == NO_DEVICE:
-        option = "; the PC8/L, an option, has it" if why.code in (0o01, 0o02) else ""
-        return f"It waits for device {why.code:02o} at {at}: no such device is fitted{option}."
-    if why.what == LOOP:
-        where = f"at {at}" if why.other == why.address else f"from {why.other:04o} to {why.address:04o}"
-        return f"It goes round {where}: no flag is tested, no word changes, no HLT is reached."
-    if why.what == WITHIN:
-        return (
-            f"The subroutine at {why.other:04o} is called from within itself, at {at}: that puts another "
-            f"return address into {why.other:04o}, and it never returns to its first caller."
-        )
-    if why.what == FIRST_WORD:
-        return f"It executes a return address: {at} jumps to the first word of a subroutine; JMP I returns."
-    if why.what == UNCLEARED:
-        return f"No handler clears the flag of device {why.code:02o}: it interrupts again before {at}."
-    if why.what == LEFT:
-        return (
-            f"It left the words that were loaded: nothing was loaded at {why.other:04o}, "
-            f"behind {at}. Is an HLT or a jump missing?"
-        )
-    if why.what == JUMPED:
-        through = f" through {why.through:04o}" if why.through >= 0 else ""
-        return (
-            f"It left the words that were loaded: {at} goes{through} to {why.other:04o}, "
-            "where nothing was loaded."
-        )
-    if why.what == INTERRUPTED:
-        return f"Device {why.code:02o} interrupted it before {at}, and no handler was loaded at 0001."
-    if why.what == WRITTEN:
-        return f"It wrote over itself: {at} was loaded as {why.other:04o}."
-    if why.what == PROTECTED:
-        return "While MEM PROT is up, nothing writes into 7600 to 7777."
-    if why.what == LOST:
-        return (
-            f"The printer was sent {_counted(why.number, 'character')} while it was busy, the first "
-            f"at {at}: TSF, JMP .-1 waits until it is free."
-        )
-    return f"{_counted(why.number, 'character')} came in over one that was not read, the first before {at}."
+    at, other = _line(listing, core, why.address), f"{why.other:04o}"
+    place = f"at {at}" if why.other == why.address else f"from {other} to {why.address:04o}"
+    through = f" through {why.through:04o}" if why.through >= 0 else ""
+    option = "; the PC8/L, an option, has it" if why.code in (0o01, 0o02) else ""
+    characters = counted(why.number, "characters")
+    sentence = {
+        KEY: f"It waits for a key, or a tape in the reader, at {at}.",
+        READER: f"It waits for a frame from the high-speed reader at {at}: {_READER.get(why.number, '')}.",
+        PUNCH: f"It waits for the high-speed punch at {at}, which was sent nothing: a PLS raises its flag.",
+        PRINTER: f"It waits for the printer's flag at {at}: no character is on its way; "
+        "a TLS raises the flag.",
+        NO_DEVICE: f"It waits for device {why.code:02o} at {at}: no such device is fitted{option}.",
+        LOOP: f"It goes round {place}: no flag is tested, no word changes, no HLT is reached.",
+        WITHIN: f"The subroutine at {other} is called from within itself, at {at}: that puts another return "
+        f"address into {other}, and it never returns to its first caller.",
+        FIRST_WORD: f"It executes a return address: {at} jumps to the first word of a subroutine; "
+        "JMP I returns.",
+        UNCLEARED: f"No handler clears the flag of device {why.code:02o}: it interrupts again before {at}.",
+        LEFT: f"It left the words that were loaded: nothing was loaded at {other}, behind {at}. "
+        "Is an HLT or a jump missing?",
+        JUMPED: f"It left the words that were loaded: {at} goes{through} to {other}, "
+        "where nothing was loaded.",
+        INTERRUPTED: f"Device {why.code:02o} interrupted it before {at}, and no handler was loaded at 0001.",
+        WRITTEN: f"It wrote over itself: {at} was loaded as {other}.",
+        PROTECTED: "While MEM PROT is up, nothing writes into 7600 to 7777.",
+        LOST: f"The printer was sent {characters} while it was busy, the first at {at}: TSF, JMP .-1 waits "
+        "until it is free.",
+        UNREAD: f"{characters} came in over one that was not read, the first before {at}.",
+    }
+    return sentence[why.what]
 
 
-_READER = ("no RFC asked for one", "it has no tape", "its tape has run out")
-
-
-def _counted(count: int, what: str) -> str:
-    return f"{count:,} {what}{'' if count == 1 else 's'}"
+_READER = {0: "no RFC asked for one", 1: "it has no tape", 2: "its tape has run out"}
 
 
 def _line(listing: Listing, core: Core, address: int) -> str:
