@@ -195,7 +195,7 @@ export class Bench {
 
   /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
   tell(/** @type {unknown} */ words, seen = false) {
-    if (seen) clearTimeout(this.afternoon.saying); // it would be said over this
+    if (seen) this.afternoon.hush();
     this.writer.html(find("said"), html`${words}`);
     find("said").classList.toggle("spoken", !seen);
   }

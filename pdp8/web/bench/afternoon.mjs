@@ -24,6 +24,8 @@ const [READER, PRINTER] = [0o6031, 0o6041]; // KSF and TSF
 /** @type {Record<string, string>} */ const TABS = { terminal: "mill", mill: "mill", inspect: "figures" };
 
 export class Afternoon {
+  #saying = 0; // the timer of an announcement
+
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.made = /** @type {Script | null} */ (null); // the script
@@ -150,10 +152,15 @@ export class Afternoon {
     if (!this.playing) this.#say();
   }
 
+  /** Announce no instant: something else is to be said. */
+  hush() {
+    clearTimeout(this.#saying);
+  }
+
   /** Time has stopped at an instant: announce it, and put it into the address. */
   #say() {
-    clearTimeout(this.saying);
-    this.saying = setTimeout(() => {
+    this.hush();
+    this.#saying = setTimeout(() => {
       if (!this.on) return;
       const { now, act } = this.script;
       this.bench.tell(`${clock(now)}, ${act.name}. ${this.bench.switches.panel.words}`);
