@@ -57,7 +57,7 @@ coverage: .venv/ready-check ## list the lines that no test runs, in an hour; fai
 .PHONY: evidence
 evidence: .venv/ready ## make the sources of programs/ and their tables in docs/ from the evidence
 	$(BIN)/python -m tests.reference.variants
-	$(BIN)/python -m pdp8.thesis.edition
+	$(BIN)/python -m release.edition
 
 .PHONY: figures
 figures: .venv/ready ## make each figure, table and listing of the thesis, in figures/

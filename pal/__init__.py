@@ -20,7 +20,7 @@ notes          what is noted of a program's words, in either dialect
 dialects       what PAL III has for what other assemblers know
 reports        an assembly as JSON, and as HTML for a notebook
 disassembler   words and tapes back to source
-lexer          PAL III in colour, for Pygments; grammar   the same for editors
+lexer          PAL III in colour, for Pygments
 meaning        what words and names mean
 server         the language server; workspace   the tapes that an editor has open; text   their lines
 document       a program as an editor asks about it; pieces   a line as an editor colours it

@@ -77,8 +77,8 @@ def _modules(names: set[str]) -> set[str]:
 
 LIBRARIES = ("tapes", "pal", "programs", "nc")
 OF_COMMANDS = ("click", "rich", "prompt_toolkit")
-TOOLS = ("pal.grammar", "pal.server")
-"""Programs of their own in a library: one writes the grammar for editors, one talks with an editor."""
+TOOLS = ("pal.server",)
+"""A program of its own in a library: it talks with an editor."""
 
 
 def test_the_libraries_are_imported_without_the_command_line() -> None:

@@ -4,8 +4,8 @@ import json
 from dataclasses import fields
 from pathlib import Path
 
-from pal import grammar
 from pdp8.dap.launch import Launch
+from release import grammar
 
 EXTENSION = Path(__file__).parents[1] / "editors" / "vscode"
 

@@ -14,7 +14,6 @@ supplied     which characters the scan does not show, and how each output marks 
 tei          the same, for editors
 reading      what a legible line of the scan says: six rules
 facsimile    listings B, C and D as they were on their pages
-edition      the tables of docs/thesis.md and docs/restoration.md, and the sources of programs/
 
 The makers:
 slopes       the two techniques            diagrams    the element; drawn/ has what nothing computes

@@ -8,10 +8,11 @@ import pytest
 
 import pal
 import pdp8
-from pdp8.thesis import edition, evidence
+from pdp8.thesis import evidence
 from pdp8.thesis.evidence import ARTEFACTS, CLASSES, Row, rows
 from pdp8.thesis.reading import fortran_line, pal_line
 from programs import circle
+from release import edition
 from tapes import ascii
 from tests.pdp8.thesis import scanned
 from tests.reference import variants

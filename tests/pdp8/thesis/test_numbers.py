@@ -12,11 +12,12 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.thesis import chain, edition, measures, tables
+from pdp8.thesis import chain, measures, tables
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.inputs import COMPUTED, DIFFERS, FITTED, FROM_TEXT, INPUTS, NOT_MADE, state
 from pdp8.thesis.numbers import numbers, plain
 from programs import die, fluidic, polynomial, thesis
+from release import edition
 from tests.pdp8.thesis import scanned
 
 DOCS = Path(__file__).parents[3] / "docs"

@@ -94,7 +94,7 @@ def _rescan(_: str) -> Iterator[tuple[str, ...]]:
 def main() -> None:
     """Write the measures, the pages and the sources again."""
     kept = measures.computed(one.measure for one in numbers.numbers())
-    Path(__file__).with_name(measures.KEPT).write_text(json.dumps(kept, indent=1) + "\n")
+    Path("pdp8/thesis", measures.KEPT).write_text(json.dumps(kept, indent=1) + "\n")
     for path in (Path("docs/thesis.md"), Path("docs/restoration.md")):
         path.write_text(page(path.read_text()))
     for artefact in ARTEFACTS:

@@ -1,6 +1,6 @@
 """The lexer's rules as a TextMate grammar, for editors: VS Code, Sublime Text, and GitHub's Linguist.
 
-    python -m pal.grammar       writes editors/vscode/syntaxes/pal.tmLanguage.json
+    python -m release.grammar      writes editors/vscode/syntaxes/pal.tmLanguage.json
 
 Small letters are coloured too: PAL8 takes them. Of a listing's columns an editor's grammar knows nothing.
 """
