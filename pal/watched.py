@@ -44,8 +44,9 @@ class Watched(Assembler):
         if self.stopped or number == 3:
             return output
         self.ended = self._at
-        if number == 1:
-            self._look_at_references()
+        references_grow = self._symbols.boundary > self._symbols.end and self.table
+        if number == 1 and self._expunged is not None and references_grow:
+            self._add("PN22 FIXMRI", self._expunged)
         if number == 2 and self._symbols.full:
             last = self._symbols.end - ENTRY
             name = spelled(self._symbols.name(last))
@@ -53,10 +54,6 @@ class Watched(Assembler):
         if self._made:
             self._note("PN27 lost", self._at)
         return output
-
-    def _look_at_references(self) -> None:
-        if self._expunged is not None and self._symbols.boundary > self._symbols.end and self.table:
-            self._add("PN22 FIXMRI", self._expunged)
 
     def _note(self, key: str, at: int, **values: str) -> None:
         """Note something once, in pass 2, when all values are known."""

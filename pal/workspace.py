@@ -35,15 +35,11 @@ class Workspace:
 
     def tapes(self, uri: str) -> list[str]:
         """Return the tapes of the program that a source belongs to, in order."""
-        here = _plain(uri)
+        here, as_spelled = _plain(uri), {_plain(each): each for each in self.open}
         for program in self._programs:
             if here in program:
-                return [self._opened(tape) for tape in program]
+                return [as_spelled.get(tape, tape) for tape in program]
         return [uri]
-
-    def _opened(self, tape: str) -> str:
-        """Return an open tape's name as the editor spells it."""
-        return next((uri for uri in self.open if _plain(uri) == tape), tape)
 
     def document(self, uri: str) -> tuple[Document, int]:
         """Return the program that a source belongs to, assembled, and which of its tapes the source is."""

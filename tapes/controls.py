@@ -29,11 +29,8 @@ def other_control(frames: bytes, code: Code) -> str:
     lines = [line.strip(" \b\x0e\x0f") for line in text.upper().split("\n")]
     lines = [line for line in lines if line.strip("%\t ")]
     by_words = sum(bool(_WORDS.fullmatch(line) and _NAMES.search(line)) for line in lines)
-    by_tabs = sum(bool(_SEQUENTIAL.fullmatch(line)) and not _is_block(line) for line in lines)
+    others = [line for line in lines if len(line.replace("\t", "").replace(" ", "")) != DIGITS]
+    by_tabs = sum(bool(_SEQUENTIAL.fullmatch(line)) for line in others)
     if lines and by_words >= _SHARE * len(lines):
         return "word address"
     return "tab sequential" if lines and by_tabs >= _SHARE * len(lines) else ""
-
-
-def _is_block(line: str) -> bool:
-    return len(line.replace("\t", "").replace(" ", "")) == DIGITS

@@ -122,7 +122,8 @@ def check(
       pdp8 check homework.toml --prove
     """
     if listed:
-        _list()
+        for name in form.bundled():
+            command.echo(f"{name:18} {form.title(name)}")
         return
     if exercise is None:
         raise click.UsageError("Give an EXERCISE; --list has the bundled ones.")
@@ -174,11 +175,6 @@ def check(
         if shows_where:
             _where(read, answers, results, dialect)
         ctx.exit(0 if all(result.right for result in results) else 1)
-
-
-def _list() -> None:
-    for name in form.bundled():
-        command.echo(f"{name:18} {form.title(name)}")
 
 
 def _stem(name: str) -> str:

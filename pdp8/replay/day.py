@@ -115,16 +115,6 @@ class Course:
         return cut(self.tapes[f"{self.part}.eia"])
 
 
-def _bin_tape(assembly: Assembly) -> bytes:
-    """Return the BIN loader's tape for RIM."""
-    return rim.encode(assembly.words)
-
-
-def _eia_tape(assembly: Assembly) -> bytes:
-    """Return the translation program's tape, from its leader on, for BIN."""
-    return assembly.tape[frames.leader_start(assembly.tape) or 0 :]
-
-
 class Day:
     """The afternoon while it happens, for the part program `part` that printed `text`.
 
@@ -236,7 +226,7 @@ class Day:
 
     def _load_bin(self) -> Iterator[None]:
         assembly = self._assemble("bin.pal")
-        yield from self._read("bin.rim", _bin_tape(assembly), "RIM", RIM_START, Reason.TAPE_OUT)
+        yield from self._read("bin.rim", rim.encode(assembly.words), "RIM", RIM_START, Reason.TAPE_OUT)
         self.operator.stop()
         self._act(
             Kind.LOAD,
@@ -248,7 +238,8 @@ class Day:
 
     def _load_program(self) -> Iterator[None]:
         assembly = self._assemble("eia.pal")
-        yield from self._read("eia.bin", _eia_tape(assembly), "BIN", BIN_START, Reason.HALT)
+        tape = assembly.tape[frames.leader_start(assembly.tape) or 0 :]
+        yield from self._read("eia.bin", tape, "BIN", BIN_START, Reason.HALT)
         if self.machine.ac:
             raise WorkError(f"BIN halted with AC {self.machine.ac:04o}: the checksum of eia.bin is wrong")
         self._act(

@@ -292,7 +292,9 @@ def _of_part(part: str) -> _Groups:
     return {
         contour: {f"{part} blocks": lambda: len(chain.path(part))},
         f"{contour}, 2 s, Table 2.4": {f"{part} minutes": lambda: _minutes(chain.path(part))},
-        f"{contour}, 6 rubouts": {f"{part} tape minutes": lambda: _tape_minutes(part)},
+        f"{contour}, 6 rubouts": {
+            f"{part} tape minutes": lambda: chain.printout(part).count("\n") * LINE_SECONDS / 60
+        },
         pieces: {f"{part} pieces": lambda: f"{tables.fewest(part)} or more"},
         f"{pieces}, our stops, 2 s": {f"{part} pieces minutes": lambda: _minutes(chain.pieces(part))},
     }
@@ -372,10 +374,6 @@ def _elements() -> _Groups:
             "slope roughness": _roughness,
         },
     }
-
-
-def _tape_minutes(part: str) -> float:
-    return chain.printout(part).count("\n") * LINE_SECONDS / 60
 
 
 def _default(part: str, parameter: str) -> Any:

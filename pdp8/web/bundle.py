@@ -15,7 +15,7 @@ import json
 import posixpath
 import re
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from contextlib import suppress
 from functools import cache
 from importlib.resources import files
@@ -116,15 +116,9 @@ def _collect(name: str, found: dict[str, str]) -> None:
     if name in found:
         return
     text = module(name)
-    for imported in _imported(name, text):
-        _collect(imported, found)
-    found[name] = text
-
-
-def _imported(name: str, text: str) -> Iterator[str]:
-    """Yield the modules that `text` imports from."""
     for _, path in IMPORT.findall(text):
-        yield _path(name, path)
+        _collect(_path(name, path), found)
+    found[name] = text
 
 
 def _path(name: str, path: str) -> str:

@@ -113,7 +113,7 @@ class DF32(BreakDevice):
             self.at &= 0o7777
             self.field = 0
         elif iop == 2:
-            return CLEAR_AC if iot & 4 else SKIP if self._passes(now) else 0
+            return CLEAR_AC if iot & 4 else SKIP if _comes(self.at, now - PLACE) <= now else 0
         elif iot & 2:
             photocell = 0o4000 if -now % _TURN <= _PHOTOCELL else 0
             return photocell | self.at >> 6 & 0o3700 | self.field >> 9 | self.status
@@ -129,9 +129,6 @@ class DF32(BreakDevice):
         if iop == 2:
             return CLEAR_AC if iot & 4 else SKIP if self.done else 0
         return self.at & 0o7777
-
-    def _passes(self, now: int) -> bool:
-        return _comes(self.at, now - PLACE) <= now
 
     def _plan(self, now: int) -> None:
         """Plan the next word; one to write is asked for ahead of it."""

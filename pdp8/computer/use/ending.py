@@ -231,7 +231,8 @@ def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> lis
         called, target = step.leads_to(JMS), step.leads_to(JMP)
         if called >= 0 and all(other.address != called for other in turn) and _returns(turn, called) < 0:
             return [Why(WITHIN, step.address, called)]
-        if target in words and _is_called(target, words) and machine.core[target] != words[target]:
+        changed = target in words and machine.core[target] != words[target]
+        if changed and any(_Step(place, word).leads_to(JMS) == target for place, word in words.items()):
             return [Why(FIRST_WORD, step.address)]
         if step.word >> 9 == JMP and step.word & INDIRECT:
             pointer = refers_to(step.word, step.address)
@@ -263,10 +264,6 @@ def _returns(turn: list[_Step], pointer: int) -> int:
         if through and refers_to(step.word, step.address) == pointer:
             return step.address
     return -1
-
-
-def _is_called(address: int, words: Mapping[int, int]) -> bool:
-    return any(_Step(place, word).leads_to(JMS) == address for place, word in words.items())
 
 
 def _tested(machine: Machine, turn: list[_Step]) -> list[Why]:

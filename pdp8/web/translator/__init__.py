@@ -58,8 +58,7 @@ OMITTED = {
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
     "pdp8.computer.use.ending": "rerun",
-    "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement"
-    " _bin_tape _eia_tape",
+    "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement",
     "nc.path": "__repr__ array",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
