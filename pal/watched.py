@@ -135,7 +135,9 @@ class Watched(Assembler):
     def _see_pseudo(self, pointer: int) -> None:
         routine = list(PSEUDO_OPERATORS)[pointer // ENTRY]
         if self._number == 1 and routine == "EXPUNGE":
-            self._look_at_forgotten()
+            self._expunged = self._at
+            if self._symbols.end > self._symbols.first:
+                self._add("PN22", self._at)
         if self._number == 1 and routine == "FIXTAB":
             self._look_at_undefined()
         if routine not in ("I", "FIELD", "FIXMRI") and self._so_far:
@@ -152,11 +154,6 @@ class Watched(Assembler):
 
     def _see_operand(self) -> None:
         self._note("PN19", self._at, word=f"{self._so_far:04o}")
-
-    def _look_at_forgotten(self) -> None:
-        self._expunged = self._at
-        if self._symbols.end > self._symbols.first:
-            self._add("PN22", self._at)
 
     def _look_at_undefined(self) -> None:
         words = self._symbols.words

@@ -119,7 +119,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
             at = end = data + 2
             continue
         after = skip(frames, at, BLANK)
-        if words and _after_trailer(frames, at):
+        if words and frames[: paper_end(frames[:at])].endswith(LEAST_LEADER):  # a trailer, not a gap
             labels += [range(after, len(frames))] * (after < len(frames))
             break
         if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
@@ -147,11 +147,6 @@ def _ending(rest: bytes) -> list[str]:
         more = len(rest.strip(bytes([BLANK, LEADER])))
         return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)
     return [no_trailer(len(rest), "last word")]
-
-
-def _after_trailer(frames: bytes, at: int) -> bool:
-    """Whether frame `at` follows a trailer, that is, more frames of 200 than are between two words."""
-    return frames[: paper_end(frames[:at])].endswith(LEAST_LEADER)
 
 
 def _fault(frames: bytes, at: int, first: int) -> TapeError | None:

@@ -74,14 +74,9 @@ def _own(part: str, reel: str) -> "Afternoon":
 def _say_act(act: "Act") -> None:
     from pdp8.replay import clock
 
-    took = f"{_span(act.seconds):>6} in 1971, {act.real:5.2f} s today"
+    minutes, rest = divmod(round(act.seconds), 60)
+    took = f"{minutes:3}:{rest:02} in 1971, {act.real:5.2f} s today"
     command.tell(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}")
-
-
-def _span(seconds: float) -> str:
-    """Return a duration as minutes and seconds."""
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes}:{rest:02}"
 
 
 def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:

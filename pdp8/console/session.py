@@ -100,7 +100,11 @@ class Session:
                 break
             self.said = "running"
             self._explained_at = -1
-            self._suit(self._clock() - before)
+            took = self._clock() - before  # slices are to take some milliseconds each
+            if took < _BUDGET / 10:
+                self._slice *= 2
+            elif took > _BUDGET / 4:
+                self._slice = max(self._slice / 2, _SHORTEST)
         self.behind = False
 
     def _ended(self, stop: Stop) -> str:
@@ -109,13 +113,6 @@ class Session:
             return self.said
         self._explained_at = stop.pc
         return told(stop, self.history, self.listing)[1]
-
-    def _suit(self, took: float) -> None:
-        """Choose slices that take some milliseconds of real time each."""
-        if took < _BUDGET / 10:
-            self._slice *= 2
-        elif took > _BUDGET / 4:
-            self._slice = max(self._slice / 2, _SHORTEST)
 
     def _look(self, samples: list[Lamps] | None = None) -> None:
         """Read the lamps: exact when the machine is stopped, else their average brightness."""

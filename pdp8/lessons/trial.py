@@ -143,17 +143,12 @@ class Tried:
         stop = Stop(Reason.BREAKPOINT, machine.pc, 0)
         while stop.reason is Reason.BREAKPOINT and not self.left(stop.pc):
             stop = machine.run(seconds=max(seconds - machine.elapsed, 0))
-            if stop.reason is Reason.BREAKPOINT:
-                self._owns(machine)
+            if stop.reason is Reason.BREAKPOINT:  # what it has written and what it calls is its own now
+                entry = machine.ma if machine.ir == JMS else -1
+                self._free = {at for at in self._free if self.left(at) and at != entry}
                 watch.breakpoints = set(self._free)
         watch.breakpoints = set()
         return stop
-
-    def _owns(self, machine: Machine) -> None:
-        """Count words that the program has written, and the entries it calls, as its own."""
-        self._free = {
-            at for at in self._free if self.left(at) and not (machine.ir == JMS and at == machine.ma)
-        }
 
     def left(self, address: int) -> bool:
         """Tell whether `address` is outside the program and was not written by it."""

@@ -185,15 +185,11 @@ class Serial(Line):
         with suppress(OSError):
             frames = os.read(self._file, 256)
         if not frames:
-            self._say_gone()
+            if not self._gone:
+                command.say(f"{self._path}: nobody is at the other end; the machine goes on, Ctrl-C stops it")
+            self._gone = True
             time.sleep(seconds)
         return frames
-
-    def _say_gone(self) -> None:
-        """Say once that nobody is at the other end."""
-        if not self._gone:
-            command.say(f"{self._path}: nobody is at the other end; the machine goes on, Ctrl-C stops it")
-        self._gone = True
 
     def send(self, frame: int) -> None:
         """Send one frame; it is lost if the line takes none for a second."""

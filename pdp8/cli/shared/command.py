@@ -49,7 +49,7 @@ def _take_signals() -> None:
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _end)
+            signal.signal(number, lambda number, _: sys.exit(128 + number))  # what is half written goes
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
@@ -59,11 +59,6 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
             os._exit(128 + number)
         frame = frame.f_back
     raise KeyboardInterrupt
-
-
-def _end(number: int, frame: FrameType | None) -> None:
-    """End as the signal asks, with every file that is being written cleaned up."""
-    sys.exit(128 + number)
 
 
 def tell(message: str, styled: bool = False) -> None:
