@@ -63,7 +63,6 @@ class Minute:
         self.typed = typed
         self.start = 0
         self.did = ""
-        self.key = ""
         self.seen: Look | None = None
 
     def begin(self, machine: Machine) -> None:
@@ -94,7 +93,6 @@ class Minute:
         """Called when a key was pressed; say what it did."""
         before = self.seen
         self.seen = self._look(machine)
-        self.key = key
         assert before is not None
         self.did = _done(key, before, self.seen)
 
@@ -106,7 +104,7 @@ class Minute:
         assert before is not None
         if now.sr != before.sr:
             self.did = _flipped(before.sr, now.sr)
-        if before.run and not now.run and self.key != "stop":
+        if before.run and not now.run:
             word = _word(machine.processor.core[now.ma], now.ma)
             self.did = f"It stopped by itself at {now.ma:04o}: the word there is {word}."
         if len(now.frames) > len(before.frames):

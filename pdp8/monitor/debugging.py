@@ -128,8 +128,6 @@ def set_core(monitor: Monitor, size: str) -> None:
         monitor.say("no PDP-8/L had 32K, nor three bits of field")
     saved = json.loads(state.save(monitor.machine))
     saved["memory"] = memory
-    if memory == FIELD:
-        saved.pop("extension", None)
     monitor.turn_to(json.dumps(saved))
 
 

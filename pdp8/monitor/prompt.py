@@ -129,9 +129,9 @@ class Monitor:
         begin_at, counts, words = text.partition("/")
         if counts:
             begin = self.address(begin_at)
-            end = begin + octal(words, 0o10000)
-            if end > 0o10000:
-                raise MonitorError(f"{text}: goes beyond 7777")
+            end = begin + octal(words, self.machine.memory)
+            if end > self.machine.memory:
+                raise MonitorError(f"{text}: goes beyond {self.machine.memory - 1:o}")
             return range(begin, end)
         first, found, last = text.partition("-" if _RANGE.fullmatch(text) else ":")
         begin = self.address(first)

@@ -5,6 +5,7 @@ import re
 from pdp8 import fitting, reels
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.bus import Peripheral
+from pdp8.computer.past.history import History
 from pdp8.computer.rack.df32 import DF32
 from pdp8.computer.rack.kw8 import KW8
 from pdp8.computer.rack.lp08 import LP08
@@ -54,7 +55,8 @@ def fit(monitor: Monitor, kind: str) -> None:
     """Fit a device of the rack, if it is not there."""
     if not fitted(monitor, kind):
         fitting.fit(monitor.machine, [RACK[kind]])
-        monitor.attend(monitor.machine)
+        monitor.reels.look_at(monitor.machine.devices)
+        monitor.history = History(monitor.machine)
 
 
 def fitted(monitor: Monitor, kind: str) -> bool:

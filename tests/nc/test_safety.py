@@ -20,7 +20,7 @@ from nc.gcode_1971 import gcode_1971
 from nc.machine import Settings
 from programs.parts import part
 from tapes.errors import WorkError
-from tapes.hydrapoint import MISCELLANEOUS
+from tapes.hydrapoint import COOLANT, MISCELLANEOUS, Miscellaneous
 from tests.conftest import case
 from tests.nc import safety
 from tests.nc.safety import Stock
@@ -79,6 +79,25 @@ def linuxcnc(lines: list[str], folder: Path) -> list[tuple[tuple[float, ...], bo
     assert "PROGRAM_END()" in canon
     moves = re.findall(r"STRAIGHT_(FEED|TRAVERSE)\((.*), 0\.0000, 0\.0000, 0\.0000\)", canon)
     return [(tuple(map(float, place.split(", "))), kind == "FEED") for kind, place in moves]
+
+
+@pytest.mark.parametrize("changes", [False, True])
+def test_what_is_said_to_be_left_out_is_not_written_and_nothing_else(changes: bool) -> None:
+    """Of each block that sets coolant, changes the tool or stops: it is in the program, or said, once."""
+    path = nc.cut(EVERYTHING)
+    lines = [*gcode(path, Output(pitch=50, tool_change=changes))]
+    said = re.findall(r"^\(left out: (?!position)(.*)\)$", "\n".join(lines), re.MULTILINE)
+    done = [line for line in lines if line[:1] == "T" or line[:2] == "M0"]
+    sets = [step for step in path.steps if step.block.miscellaneous in COOLANT]
+    coolant = [f"{step.modes.coolant} coolant of block {step.number}" for step in sets]
+    assert [line for line in said if "coolant" in line] == (
+        [] if changes else [line for line in coolant if line[:3] != "off"]
+    )
+    assert bool({"M7", "M8"} & {*lines}) == changes
+    for step in path.steps:
+        if step.tool_changed or step.stop or step.block.miscellaneous == Miscellaneous.INDEX:
+            of = [line for line in (*done, *said) if re.search(rf"of block {step.number}\b", line)]
+            assert len(of) == 1, step.number
 
 
 @pytest.mark.parametrize("name", PARTS)

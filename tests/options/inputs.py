@@ -186,6 +186,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "work.pal --trace out.trace",
         "fast.pal",
         "fast.pal --fast-reader in.asc",
+        "fast.pal --fast-reader in.asc --reader in.asc --reader other.asc --punch out.tape",
         "fast.pal --fast-punch out.fast --fast-reader in.asc",
     ),
     "monitor": ("script.txt",),

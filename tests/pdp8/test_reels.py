@@ -44,7 +44,10 @@ def test_an_image_comes_back_byte_for_byte() -> None:
     assert notes == ["3 of 1474 blocks; the others are taken as 0"]
     assert short.content() == whole[: 3 * 258] + bytes(len(whole) - 3 * 258)
     narrow = b"".join(whole[at : at + 256] for at in range(0, len(whole), 258))
-    assert dectape.decode(narrow)[0].content() == narrow
+    reel = dectape.decode(narrow)[0]
+    assert reel.content() == narrow
+    reel.words[-1] = 5  # a program has written the 129th word of a block
+    assert dectape.decode(reel.content())[0].words == reel.words
 
 
 @pytest.fixture

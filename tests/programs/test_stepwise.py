@@ -1,6 +1,6 @@
 """The step-wise technique: every stop in its band, one axis a block, and the listings' staircases from it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 from itertools import groupby, pairwise
@@ -46,6 +46,25 @@ def stops(path: Curve) -> Iterator[Point]:
         at = cut.stop
         yield at
     assert at == path.end
+
+
+@pytest.mark.parametrize("tolerance", [1, 999.9, 0.999, 1000, float("nan")])
+def test_a_band_is_a_thousandth_at_least_and_narrower_than_the_curve(tolerance: float) -> None:
+    flat, slope = [0.0] * 1001, [float(at) for at in range(1001)]
+    makers: list[Callable[[], Curve]] = [
+        lambda: line(Point(0, 0), Point(600, 800), tolerance),
+        lambda: arc(CENTRE, 1000, 0, 90, tolerance),
+        *(
+            partial(graph, 0, [at - tolerance for at in of], [at + tolerance for at in of])
+            for of in (flat, slope)
+        ),
+    ]
+    for made in makers:
+        if 1 <= tolerance < 1000:
+            assert isinstance(made(), Curve)
+        else:
+            with pytest.raises(WorkError, match=r"^tolerance .*: must be"):
+                made()
 
 
 @settings(max_examples=40)

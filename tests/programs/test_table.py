@@ -68,6 +68,7 @@ FILES = {
     "a unit above": lines(rows("{0:.3f} {1:.3f} // top", 25.4), "% Units: millimeters"),
     "Matlab": lines(rows("  {0:.4f}, {1:.4f};"), "P = [ ...") + "];\n",
     "named E": lines(german("E{2};{0:.4f};{1:.4f}"), "Name;X;Y"),
+    "a title in another unit": lines(rows("{0:.3f},{1:.3f}", 25.4), "Drawing in inch", "x [mm],y [mm]"),
     "a title": lines(german("{0:.4f};{1:.4f}"), "Nocken, Blatt 1", "", "X;Y"),
 }
 
@@ -136,7 +137,8 @@ def test_what_is_no_point_is_named_with_its_line(text: str, says: str) -> None:
 
 def test_millimetres_are_asked_for_or_said() -> None:
     large = b"38.1 0\n0 38.1\n-38.1 0\n"
-    assert read(large, mm=True).places[0] == pytest.approx((1.5, 0))
+    for text in (large, b"x in mm,y in mm\n" + large.replace(b" ", b",")):
+        assert read(text, mm=True).places[0] == pytest.approx((1.5, 0))
     with pytest.raises(WorkError, match="line 1: the unit is in: leave out --mm"):
         read(b"x in,y in\n1,2\n3,4\n", mm=True)
     assert read(b"10 0\n0 5\n-10 0\n").places[0] == (10, 0)  # 20 in, as wide as the table

@@ -39,6 +39,19 @@ def test_registers_are_words(name: str, most: int) -> None:
         assert getattr(m, name) == 0
 
 
+def test_addresses_of_8k_have_their_field_and_the_program_goes_on_there() -> None:
+    """JMP 201 in field 1, where PC was set."""
+    m = Machine(memory=0o20000)
+    m.load({0o10200: 0o5201})
+    m.pc, m.ma = 0o10200, 0o17777
+    assert (m.pc, m.ma) == (0o10200, 0o17777)
+    m.run(instructions=1)
+    assert m.pc == 0o10201
+    for name in ("pc", "ma"):
+        with pytest.raises(ValueError, match="17777"):
+            setattr(m, name, 0o20000)
+
+
 def test_what_is_no_word_and_no_address_is_refused_where_a_hand_sets_it() -> None:
     m = machine("5200")
     refused: tuple[tuple[Callable[..., object], *tuple[Any, ...]], ...] = (

@@ -109,6 +109,25 @@ def test_what_is_written_is_read_again_across_discs_and_fields() -> None:
     assert control.words == kept
 
 
+def test_a_disk_has_one_to_four_discs_of_words() -> None:
+    control = DF32()
+    for discs in (1, 2, 3, 4):
+        content = bytes(2 * DISC * discs - 2) + b"\xff\x0f"
+        control.content = content
+        assert control.content == content
+    for wrong in (
+        b"",
+        bytes(2 * DISC - 2),
+        bytes(2 * DISC - 1),
+        bytes(2 * DISC + 2),
+        bytes(10 * DISC),
+        bytes(2 * DISC - 1) + b"\x10",
+    ):
+        with pytest.raises(ValueError, match="one to four discs of 65,536 bytes, words of 12 bits"):
+            control.content = wrong
+    assert control.content == content
+
+
 def test_a_word_comes_within_a_turn_and_the_next_after_66_microseconds() -> None:
     """16.67 ms to a word on average, 66 µs from word to word (Small Computer Handbook 1970)."""
     m, _ = disk()

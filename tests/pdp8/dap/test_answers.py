@@ -16,13 +16,13 @@ from pdp8.computer.hardware.fields import FRAMES, TICK
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls, expressions, requests, scopes, wire
-from pdp8.dap.breakpoints import ADDRESSES, Point
+from pdp8.dap.breakpoints import ADDRESSES, LINES, Breakpoints, Point
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.prompt import Monitor
 from tapes import binary
 from tapes.errors import WorkError
-from tests.pdp8.dap.test_wire import FIELDS, PROTOCOL, held
+from tests.pdp8.dap.test_wire import FIELDS, PROTOCOL, console, held
 
 SOURCE = "*200\n\tJMS SUB\n\tHLT\n*300\nSUB,\t0\n\tISZ N\nLAST,\tJMP I SUB\nN,\t7775\nHALF=1234\n$\n"
 
@@ -168,6 +168,30 @@ def test_who_called_is_what_the_words_in_core_say(
 ) -> None:
     words = [core.get(address, 0o7000 if address > 1 else 0) for address in range(4096)]
     assert [frame.entry for frame in calls.frames(words, pc, ion)] == entries
+
+
+def test_what_a_command_at_the_console_says_is_said_once(program: str) -> None:
+    """In its answer, and not among the notes of another one."""
+    lines = ("registers", "examine 200-202", "step", "cycle", "show", "break")
+    launch = ("launch", {"program": program, "stopOnEntry": True})
+    heard = held(launch, ("configurationDone", {}), *map(console, lines), ("threads", {}))
+    answers = [each["body"]["result"] for each in heard if "result" in each.get("body", {})]
+    noted = "".join(each["body"]["output"] for each in heard if each.get("event") == "output")
+    assert (len(answers), all(answers)) == (len(lines), True)
+    assert not [line for answer in answers for line in answer.splitlines() if line in noted]
+
+
+def test_a_breakpoint_goes_with_its_line_through_each_edit(program: str) -> None:
+    points = Breakpoints()
+    for edits in range(4):
+        Path(program).write_text(SOURCE.replace("*200\n", "*200\n" + "\tCLA\n" * edits))
+        monitor, places = Monitor(lambda line: None, Machine()), Places(shelf.program(program))
+        if edits:
+            assert len(points.place_anew(monitor, places)) == 1
+        else:
+            asked = {"line": 6, "source": {"path": program}}
+            points.put(monitor, places, LINES, program, [(6, asked)])
+        assert [(point.line, point.address) for point in points] == [(6 + edits, 0o301)]
 
 
 @pytest.mark.parametrize(

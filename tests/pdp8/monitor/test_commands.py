@@ -113,6 +113,38 @@ def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) ->
     assert monitor.waiting_tapes == []
 
 
+def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: Path) -> None:
+    """After `restore` and `set cpu` page and time are the other machine's; a device fitted leaves these."""
+    said: list[str] = []
+    monitor = Monitor(said.append)
+    do(monitor, "load hello.pal", "set hands 0.5", "break 205", "watch 300", f"save {tmp_path}/s")
+    do(monitor, "go 200 3", "forget 205")
+
+    def kept() -> list[object]:
+        watch = monitor.machine.watch
+        return [monitor.operator.pace, monitor.listing, monitor.dialect, watch.breakpoints, watch.writes]
+
+    before = kept()
+    do(monitor, "page", "set df enabled", "page more")
+    assert (said[-1], kept()) == ("", before)
+    assert monitor.machine.elapsed > 1
+    for line in ("set cpu 8k", "set cpu 4k", f"restore {tmp_path}/s"):
+        do(monitor, line, "page more")
+        assert (said[-1], kept()) == ("", before), line
+
+
+def test_words_of_8k_are_counted_to_its_end() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append, Machine(memory=0o20000))
+    for words, many in (("7777/2", 2), ("10000/1", 1), ("17777/1", 1), ("10000:17777", 0o10000)):
+        said.clear()
+        do(monitor, f"examine {words}")
+        assert len(said) == many
+    for words in ("17777/2", "0/20001", "20000"):
+        with pytest.raises(MonitorError, match=r"17777|00000 and 20000"):
+            do(monitor, f"examine {words}")
+
+
 def test_what_is_shown_and_expected_is_what_is_new() -> None:
     said: list[str] = []
     monitor = Monitor(said.append, Machine())

@@ -25,7 +25,7 @@ from tests import commands
 from tests.pdp8.monitor import do
 
 REFUSED = {
-    "examine": ("", "9", "200 9", "20:17", "CHK-CHK", "NOPE"),
+    "examine": ("", "9", "200 9", "20:17", "CHK-CHK", "NOPE", "7777/2", "200/10001"),
     "deposit": ("", "200", "200 7402 9", "200 1 10000", "203-200 1", "200-203 1 2", "7777 1 2", "200 -1"),
     "set": (
         "",
@@ -98,7 +98,7 @@ REFUSED = {
 """For each command what is refused."""
 
 NEAREST = {
-    "examine": ("7777", "0-7777"),
+    "examine": ("7777", "0-7777", "7777/1", "0/10000"),
     "deposit": ("7777 1", "7776 1 2", "0 7777", "200-200 1"),
     "set": ("ac 7777", "ir 7", "mem_prot 1", "hands 0"),
     "go": ("200 0",),

@@ -56,12 +56,16 @@ def test_what_is_sure_in_one_picture_is_sure_and_what_differs_is_doubtful() -> N
     doubtful = one[7]._replace(holes=one[7].holes ^ 0o003, open=0o003, why="dirt")
     one[7], two[8] = doubtful, two[8]._replace(holes=two[8].holes ^ 0o010)
     two[9], one[9] = (frame._replace(open=mask, why="dirt") for frame, mask in ((two[9], 5), (one[9], 6)))
-    one[10], two[10] = (frame._replace(open=mask, why="dirt") for frame, mask in ((one[10], 1), (two[10], 2)))
+    one[10], two[10] = (
+        frame._replace(holes=frame.holes ^ mask, open=mask, why="dirt")
+        for frame, mask in ((one[10], 1), (two[10], 2))
+    )
     found = [frame for frame, _ in stitch.join({1: one, 2: two}).frames]
     assert bytes(frame.holes for frame in found[:8]) == TAPES["circle.eia"][1:9]
     assert (found[7].open, found[8].open, found[9].open) == (0, 0o010, 4)
     assert (found[8].why, found[9].why, found[7].why) == ("two pictures of it differ", "dirt", "")
     assert (found[10].open, found[10].why) == (0, ""), "each picture is sure of what the other doubts"
+    assert found[10].holes == TAPES["circle.eia"][11]
 
 
 ANY = random.Random(1).randbytes(200)

@@ -54,6 +54,22 @@ def test_the_flag_that_rises_is_named(printing: Machine) -> None:
         assert named in str(goal.said)
 
 
+def test_a_character_is_one_that_is_read_or_typed_or_printed(printing: Machine) -> None:
+    """KSF, JMP 200: of a tape, and of a key."""
+    typed = machine("6031 5200")
+    typed.teletype.keyboard.press(b"A")
+    for running, counted in (
+        (printing, printing.teletype.printer.frames),
+        (machine("6031 5200", tape=b"A"), b"-"),
+        (typed, b"-"),
+    ):
+        goal = goals.until(running, "character", 0)
+        while not goal.said:
+            goal.run(running, 2_000)
+            assert running.elapsed < 0.2
+        assert len(counted) == 1
+
+
 def test_no_breakpoint_is_stepped_over() -> None:
     """Whatever the length of a slice: a loop's own, a JMS's, and beside another goal."""
     for kind, ticks in [(kind, ticks) for kind in ("", "word", "frame") for ticks in range(1, 200)]:
