@@ -145,5 +145,5 @@ def _runs(source: ast.AST) -> bool:
         case ast.Call(ast.Name("range"), args) if all(
             isinstance(each, ast.Constant | ast.UnaryOp) for each in args
         ):
-            return bool(eval(compile(ast.Expression(source), "<range>", "eval"), {"range": range}))
+            return bool(eval(compile(ast.Expression(source), "", "eval"), {"range": range}))
     return False

@@ -152,8 +152,6 @@ class Calls(Expressions):
             return ""
         kind = self._joined(node.args)
         self.orderable(node, kind, kind)
-        for each in node.args:
-            self.known(each)
         if not self.checked and set(kinds) <= {*NUMBERS}:
             return f"Math.{name}({self.all(node.args)})"
         return f"$.{name}([{self.all(node.args)}])"

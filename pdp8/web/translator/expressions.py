@@ -59,8 +59,8 @@ MOST = 1 << 53
 """From here on not every whole number is a float."""
 _LISTS = ("list", "tuple", "row", "sequence", "str", "bytes", "bytearray")
 _SCALARS = (*NUMBERS, STR, BOOL, NONE)
-_TABLES = ("list", "tuple", "row", "bytes", "bytearray", "words", "dict", "set")
-_IDENTICAL = ("list", "dict", "set", "type", "bool", "None")
+_TABLES = ("list", "row", "bytes", "bytearray", "words", "dict", "set")
+_IDENTICAL = ("list", "dict", "set", "bool", "None")
 
 
 def named(name: str) -> str:
@@ -77,8 +77,8 @@ class Expressions(Types):
     """Writes the expressions of one module."""
 
     temporary: list[list[str]]
-    checked = True
-    trusted = False
+    checked: bool
+    trusted: bool
     """Whether values of unknown type are looked at when the module runs."""
 
     def fail(self, node: ast.AST, why: str = "no translation", instead: str = "") -> NoReturn:
@@ -257,17 +257,14 @@ class Expressions(Types):
         """Refuse a key that JavaScript compares with the keys of the Dict or set `of` unlike Python."""
         if UNSEEN not in of.of and (BOOL in either(kind)) != (BOOL in either(of.of[0])):
             self.fail(node, f"{kind} as a key of {of}")
-        if ANY in either(kind):
-            self.refuse(node, f"{kind} as a key of {of}")
         self.keyed(node, kind)
 
     def iterated(self, node: ast.expr, ordered: bool = True) -> str:
         """Return what is iterated over; refuse what has another order in JavaScript, or none."""
         for each in either(self.infer(node)):
-            if each.name == "set" and not ordered:
-                continue
-            if each.name in ("set", "unordered"):
-                self.refuse(node, "a set has another order in JavaScript", "sorted(...)")
+            if each.name == "set":
+                if ordered:
+                    self.refuse(node, "a set has another order in JavaScript", "sorted(...)")
             elif each == ANY or not self.fits(each, Type("iterable", (ANY,))):
                 self.refuse(node, f"iteration over {each}", "an annotation")
         return self.e(node)
@@ -315,7 +312,7 @@ class Expressions(Types):
                 checked
                 and isinstance(operator, ast.Pow)
                 and right.kind != WORD
-                and not (right.number or 0) < 0
+                and (right.number is None or right.number >= 0)
             ):
                 why = "a power whose exponent may be negative is an int or a float"
                 self.fail(node, why, "a float, or x ** 2")
@@ -524,7 +521,7 @@ class Expressions(Types):
         takes = self.lambdas.get(node)
         if takes is None and len(variants := self.program.variants(found)) == 1:
             takes = self._takes(variants[0])
-        if not takes or any(each.name[0] == "~" or each.of for each in takes):
+        if not takes or any(each.of for each in takes):
             self.fail(node, "a function of Python's own as a value", "a lambda")
         with self.applied(node, takes) as call:
             return f"(({', '.join(map(leaf, call.args))}) => {self.e(call)})"

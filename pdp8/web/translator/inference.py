@@ -41,7 +41,7 @@ from pdp8.web.translator.types import (
 
 _PLAIN = {
     "int": INT, "float": REAL, "bool": BOOL, "str": STR, "bytes": BYTES, "bytearray": BYTEARRAY, "None": NONE,
-    "array": WORDS, "MutableSequence": WORDS, "words": WORDS, "range": Type("range", (INT,)),
+    "array": WORDS, "words": WORDS, "range": Type("range", (INT,)),
     "slice": Type("slice"), "Word": WORD, "Float": FLOAT, "NoReturn": Type("never"),
     "SupportsInt": Type("SupportsInt"), "Sized": Type("sized"),
     **{name: Type(f"~{name}") for name in "TUVK"},
@@ -52,13 +52,13 @@ _GENERIC = {
     "Iterator": "iterator", "Generator": "iterator", "View": "view", "range": "range", "Pattern": "Pattern",
 }  # fmt: skip
 _MARKS = (
-    "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "Keys", "JSON", "Character", "Base",
+    "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "Keys", "Character", "Base",
 )  # fmt: skip
 """Annotations that have the type of what is in their brackets."""
 _TABLE = {"word": "int", "real": "float", "row": "tuple", "sequence": "tuple"}
 """The class of library.pyi that has the methods of a type, if it has another name."""
-_OPEN = {"list": Type("list", (ANY,)), "dict": Type("dict", (STR, ANY)), "tuple": Type("row", (ANY,))}
-"""The types of instances of which nothing is known but their class."""
+_OPEN = {"dict": Type("dict", (STR, ANY))}
+"""The types of instances of which nothing is known but their class, where that says more than its name."""
 _SETTING = ast.Assign | ast.AnnAssign | ast.AugAssign | ast.NamedExpr | ast.For | ast.ExceptHandler | ast.Expr
 _SEQUENCES = ("sequence", "list", "tuple", "row", "bytes", "bytearray", "words", "range", "str")
 _ITERABLES = (*_SEQUENCES, "iterable", "iterator", "view", "dict")
@@ -363,8 +363,8 @@ class Types:
                 kind = self.infer(value)
                 return INT if kind in (WORD, BOOL) else kind
             case ast.BinOp(left, operator, right):
-                one, other = without_none(self.infer(left)), without_none(self.infer(right))
-                if isinstance(operator, ast.Pow) and (whole(right) or 0) < 0 and one in WHOLE:
+                one, other, by = without_none(self.infer(left)), without_none(self.infer(right)), whole(right)
+                if isinstance(operator, ast.Pow) and by is not None and by < 0 and one in WHOLE:
                     return FLOAT
                 return self._operated(operator, one, other)
             case ast.BoolOp(operator, values):
@@ -401,8 +401,6 @@ class Types:
         return ANY
 
     def _operated(self, operator: ast.operator, one: Type, other: Type) -> Type:
-        if one.name == "dict" and other.name == "dict":
-            return made("dict", *map(join, one.of, other.of))
         if one.name == "view" and other.name in ("set", "view"):
             return made("set", *one.of)
         return join(*(arithmetic(operator, a, b) for a in either(one) for b in either(other)))
@@ -635,7 +633,7 @@ class Types:
         unpacked = next((at for at, each in enumerate(args) if isinstance(each, ast.Starred)), len(args))
         if unpacked > len(places) and "*" not in rest:
             return None
-        more = [rest["*"]] * (unpacked - len(places)) if "*" in rest else []
+        more = [rest["*"]] * unpacked if "*" in rest else []
         pairs = [*zip(args[:unpacked], [*places, *more], strict=False)]
         left = {each.name: each for each in parameters if each.how == "key" or each in places[len(args) :]}
         for keyword in call.keywords:

@@ -94,7 +94,7 @@ def arithmetic(operator: ast.operator, left: Type, right: Type) -> Type:
         of = right if left in WHOLE else left
         if of.name == "tuple":
             return Type("row", (item_of(of),))
-        return of if of.name in ("str", "bytes", "list", "row", "bytearray") else ANY
+        return of if of.name in ("str", "bytes", "list", "row") else ANY
     if isinstance(operator, ast.Add) and left.name == right.name == "tuple":
         return Type("tuple", left.of + right.of)
     if isinstance(operator, ast.Add) and {left.name, right.name} <= {"tuple", "row"}:

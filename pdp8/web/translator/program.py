@@ -218,7 +218,7 @@ class Library(Module):
     """What may be used of one module of Python's library."""
 
     def __init__(self, name: str, body: list[ast.stmt]) -> None:
-        super().__init__(name, "library.pyi", "", ())
+        super().__init__(name, name, "", ())
         self.table = name
         self.tree.body = body
         for node in body:

@@ -269,8 +269,7 @@ class Statements(Calls):
 
     def fixed(self, node: ast.expr, annotation: ast.expr | None) -> None:
         """Refuse a default that Python makes once and JavaScript at each call, unless it is only read."""
-        is_read = leaf(annotation) in ("Mapping", "Sequence", "Iterable", "Collection", "Set")
-        if is_read and not own([ast.Expr(node)])[2:]:
+        if leaf(annotation) == "Mapping" and isinstance(node, ast.Dict) and not node.keys:
             return
         for each in ast.walk(node):
             if isinstance(each, ast.Name) and each.id in self.scope:

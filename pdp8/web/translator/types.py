@@ -138,7 +138,7 @@ def whole(node: ast.AST | None) -> int | None:
         case _:
             return None
     try:
-        value = eval(compile(ast.Expression(node), "<constant>", "eval"))
+        value = eval(compile(ast.Expression(node), "", "eval"))
     except (ArithmeticError, ValueError):  # it raises when it runs
         return None
     return value if type(value) is int else None

@@ -6,7 +6,7 @@ SOURCE = '''
 """A module."""
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple, NoReturn, Protocol
 from m.other import Thing
 
 LIMIT = 7
@@ -30,7 +30,7 @@ class Wrong(ValueError):
     pass
 
 class Machine:
-    def __init__(self, core: list[int], say: Callable[[str], object]) -> None:
+    def __init__(self, core: list[int], say: Callable[[str], None]) -> None:
         self.core = core
         self._own = 1
         self.thing: Thing | None = None
@@ -46,6 +46,55 @@ class Machine:
 
 def row(of: Sequence[Place], more: set[str], dots: tuple[int, ...]) -> tuple[Place, ...]:
     return tuple(of)
+
+def all_kinds(
+    a: bytearray, b: array, c: SupportsInt, d: bool, e: range, f: re.Pattern[str], g: Iterable[int],
+    h: Collection[int], i: object, j: list[int | None], k: "Callable[[], Machine]", new: int = 1, *rest: int,
+    at: int = 2, **more: float,
+) -> NoReturn:
+    raise Wrong
+
+class Code(IntEnum):
+    MILL = 6
+    READ = 9
+
+class Colour(StrEnum):
+    RED = "red"
+
+class Named(Protocol):
+    colour: Colour
+    def get(self, at: int) -> Place: ...
+
+class Later(Machine):
+    LIMIT: ClassVar[int] = 5
+    def __len__(self) -> int:
+        return 1
+
+    def __str__(self) -> str:
+        return ""
+
+    def __iter__(self) -> Iterator[int]:
+        yield 1
+
+    def __getitem__(self, at: int) -> int:
+        return at
+
+    @staticmethod
+    def made() -> "Later":
+        return Later([], print)
+
+    @property
+    def at(self) -> int:
+        return 1
+
+    @at.setter
+    def at(self, value: int) -> None:
+        self.core = [value]
+
+    def left_out(self) -> None: ...
+
+EMPTY = []
+WHOLE = {}.keys()
 
 def _own(a: int) -> Mapping[str, bytes]:
     return {}
@@ -73,11 +122,35 @@ export class Wrong extends $.ValueError {
 export class Machine {
 core: (number)[];
 thing: m_other.Thing | null;
-constructor(core: (number)[], say: ((a0: string) => unknown));
+constructor(core: (number)[], say: ((a0: string) => void));
 run(seconds?: number, hard?: boolean): void;
 pairs(): Generator<[number, string]>;
 }
 export function row(of: $.Sequence<Place>, more: $.PySet<string>, dots: (number)[]): (Place)[];
+export function all_kinds(a: $.ByteArray, b: $.Words, c: number, d: boolean, e: $.Sequence<number>,\
+ f: RegExp, g: Iterable<number>, h: Iterable<number>, i: unknown, j: (number | null)[], k: (() => Machine),\
+ new$: number | undefined, rest: (number)[], at: number | undefined, more: $.Dict<string, number>): never;
+export type Code = number;
+export const Code: Iterable<number> & { readonly [name in "MILL" | "READ"]: number };
+export type Colour = string;
+export const Colour: Iterable<string> & { readonly [name in "RED"]: string };
+export interface Named {
+colour: Colour;
+get(at: number): Place;
+}
+export class Later extends Machine {
+LIMIT: number;
+static LIMIT: number;
+readonly length: number;
+toString(): string;
+[Symbol.iterator](): Generator<number>;
+__getitem__(at: number): number;
+made(): Later;
+static made(): Later;
+at: number;
+}
+export const EMPTY: (never)[];
+export const WHOLE: $.View<never>;
 export function _own(a: number): $.Dict<string, $.Bytes>;
 export {};
 """
@@ -99,13 +172,14 @@ export class KeyError extends LookupError {}
 split_(sep?: string): (string)[];
 translate(table: $.Bytes | null, delete$?: $.Bytes): $.Bytes;
 get<U>(key: K, otherwise: U): V | U;
+count(item: T): number;
 export function bytes(of?: number): $.Bytes;
 export function dict<K, V>(): $.Dict<K, V>;
 """
 
 
 def test_what_a_module_declares() -> None:
-    found = declare({"m.here": ("here.py", SOURCE), "m.other": ("other.py", OTHER)}, {})
+    found = declare({"m.here": ("here.py", SOURCE), "m.other": ("other.py", OTHER)}, {"m.here": "left_out"})
     assert found["m.here"].split() == WANTED.split()
     assert found["m.here"].strip().split("\n") == WANTED.strip().split("\n")
     there = found["pdp8.web.translator.runtime"].split("\n")
