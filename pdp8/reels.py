@@ -66,10 +66,10 @@ class Reel:
         self.drive.image, self.drive.blocks = reel, {}
         return said
 
-    def remarks(self) -> str:
-        """Return what there is to say beside the name of the file."""
-        written = f", {counted(self.changed(), self.unit)} written" if self.changed() else ""
-        return f"{', locked' if self.drive.locked else ''}{written}"
+    @property
+    def locked(self) -> bool:
+        """WRITE LOCK."""
+        return bool(self.drive.locked)
 
 
 class Discs:
@@ -77,6 +77,7 @@ class Discs:
 
     device = place = "df"
     unit = "words"
+    locked = False
     missing = "no DF32 is fitted; attach df FILE fits it"
     bootstrap = bootstrap.DF32
 
@@ -120,10 +121,6 @@ class Discs:
         said = shelf.told(name, shelf.write(name, self.control.content))
         self._kept = self.control.content
         return said
-
-    def remarks(self) -> str:
-        """Return what there is to say beside the name of the file."""
-        return ", changed" if self.changed() else ""
 
 
 class Reels:

@@ -14,6 +14,7 @@ from pdp8.computer.use import bootstrap
 from pdp8.monitor import running, tapes
 from pdp8.monitor.arguments import MonitorError, some
 from pdp8.monitor.prompt import Monitor
+from tapes.quantities import counted
 
 RACK: dict[str, type[Peripheral]] = {"dt": TC08, "df": DF32, "lpt": LP08}
 """Devices that attaching a file fits, by SIMH's names."""
@@ -121,7 +122,8 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
 def show(monitor: Monitor) -> None:
     """Say what is on the drives, if there are any."""
     for place in monitor.reels.mounted():
-        monitor.say(f"{place.device:5}{place.file}{place.remarks()}")
+        written = f", {counted(place.changed(), place.unit)} written" * bool(place.changed())
+        monitor.say(f"{place.device:5}{place.file}{', locked' * place.locked}{written}")
 
 
 def leave(monitor: Monitor) -> None:
