@@ -23,21 +23,8 @@ Sources: the table of symbols; Small Computer Handbook (operate groups).
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from pal import isa
 from pal.assembler import HIGH_SPEED_SYMBOLS, START
-from pal.isa import (
-    CURRENT_PAGE,
-    INDIRECT,
-    IOT,
-    ISZ,
-    JMP,
-    JMS,
-    OPERATIONS,
-    PAGE,
-    REVERSED,
-    halts,
-    refers_to,
-    tests_flag,
-)
 from pal.symbols import PERMANENT, PSEUDO_OPERATORS
 from tapes import binary, codes, rim
 from tapes.binary import FIELD, ORIGIN, WORD
@@ -161,7 +148,7 @@ class _Labels:
         for piece in tape:
             target = _target(piece)
             if target in words:
-                jump = piece.value >> 9 == JMP and not piece.value & INDIRECT
+                jump = piece.value >> 9 == isa.JMP and not piece.value & isa.INDIRECT
                 (jumped_to if jump else handled).add(target)
             elif target is not None and target in self._names:
                 outside.add(target)
@@ -197,14 +184,14 @@ class _Labels:
         number = f"{piece.value:o}"
         if piece.address in self._numbers:
             return number
-        if piece.value >> 9 > JMP:
+        if piece.value >> 9 > isa.JMP:
             return microinstruction(piece.value) or number
         target = _target(piece)
         if target is None:
             return number
-        indirect = "I " if piece.value & INDIRECT else ""
+        indirect = "I " if piece.value & isa.INDIRECT else ""
         address = self._tag(target) if target in self._tagged else f"{target & 0o7777:o}"
-        return f"{OPERATIONS[piece.value >> 9]} {indirect}{address}"
+        return f"{isa.OPERATIONS[piece.value >> 9]} {indirect}{address}"
 
 
 def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]) -> set[int]:
@@ -218,27 +205,27 @@ def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]
             continue
         reached.add(address)
         word = words[address]
-        target = address & 0o70000 | refers_to(word, address & 0o7777)
-        if word >> 8 == JMP << 1:
+        target = address & 0o70000 | isa.refers_to(word, address & 0o7777)
+        if word >> 8 == isa.JMP << 1:
             waiting.append(target)
-        elif word >> 9 != JMP and not (halts(word) and address + 1 in handled):
+        elif word >> 9 != isa.JMP and not (isa.halts(word) and address + 1 in handled):
             waiting.append(address + 1)
-        if word >> 8 == JMS << 1:
+        if word >> 8 == isa.JMS << 1:
             waiting.append(target + 1)
             called.add(target)
         skips = word & 0o7401 == 0o7400 and word & 0o170 != 0
-        if skips or tests_flag(word) or word >> 9 == ISZ:
+        if skips or isa.tests_flag(word) or word >> 9 == isa.ISZ:
             waiting.append(address + 2)
     return reached - called
 
 
 def _target(piece: Piece) -> int | None:
     """Return the address of a memory reference that PAL III can write as one, in its own field; else None."""
-    if piece.kind != WORD or piece.value >> 9 > JMP:
+    if piece.kind != WORD or piece.value >> 9 > isa.JMP:
         return None
-    if piece.value & CURRENT_PAGE and not piece.address & PAGE:
+    if piece.value & isa.CURRENT_PAGE and not piece.address & isa.PAGE:
         return None
-    return piece.address & 0o70000 | refers_to(piece.value, piece.address & 0o7777)
+    return piece.address & 0o70000 | isa.refers_to(piece.value, piece.address & 0o7777)
 
 
 def microinstruction(word: int) -> str | None:
@@ -257,10 +244,10 @@ def microinstruction(word: int) -> str | None:
 
 
 def _candidates(word: int) -> Iterable[str]:
-    if word >> 9 == IOT:
+    if word >> 9 == isa.IOT:
         return [symbol.mnemonic for symbol in _PLAIN if symbol.octal >> 3 == word >> 3]
     if not word & 0o400:
         return _GROUP_1
     if word & 1:
         return ()
-    return (_REVERSED_SKIPS if word & REVERSED else _SKIPS) + ("CLA", "OSR", "HLT")
+    return (_REVERSED_SKIPS if word & isa.REVERSED else _SKIPS) + ("CLA", "OSR", "HLT")

@@ -22,23 +22,8 @@ card.
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from tapes import frames as strip
 from tapes.errors import TapeError
-from tapes.frames import (
-    BLANK,
-    LEADER,
-    LEAST_LEADER,
-    PADDING,
-    check_word,
-    find_start,
-    label_after,
-    label_before,
-    leader,
-    missing_leader,
-    no_trailer,
-    paper_end,
-    skip,
-    starts,
-)
 from tapes.quantities import counted
 
 
@@ -49,9 +34,9 @@ def encode(words: Mapping[int, int]) -> bytes:
         if not 0 <= address <= 0o7777:
             raise TapeError(f"address {address:o}: a RIM tape can name only 0000 to 7777")
         word = words[address]
-        check_word(address, word)
+        strip.check_word(address, word)
         body += bytes((0o100 | address >> 6, address & 0o77, word >> 6 & 0o77, word & 0o77))
-    return leader() + bytes(body) + leader()
+    return strip.leader() + bytes(body) + strip.leader()
 
 
 class Reading(NamedTuple):
@@ -82,7 +67,7 @@ def read(frames: bytes) -> Reading:
     """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins."""
     reading = read_whole(frames)
     if reading is None:
-        start = find_start(frames)
+        start = strip.find_start(frames)
         reading = _read_from(frames, start)
         if not reading.words and not reading.damage:
             raise TapeError("nothing but leader", start)
@@ -91,7 +76,7 @@ def read(frames: bytes) -> Reading:
 
 def read_whole(frames: bytes) -> Reading | None:
     """Return the tape from the first of its `starts` at which whole words begin; None if there is none."""
-    for start in starts(frames):
+    for start in strip.starts(frames):
         reading = _read_from(frames, start)
         if reading.words and not reading.damage:
             return reading
@@ -101,13 +86,15 @@ def read_whole(frames: bytes) -> Reading | None:
 def _read_from(frames: bytes, start: int) -> Reading:
     at = end = start
     words: dict[int, int] = {}
-    labels = [*label_before(frames, start)]
+    labels = [*strip.label_before(frames, start)]
     gaps: list[str] = []
     damage: TapeError | None = None
     while at < len(frames):
-        if frames[at] >= LEADER:
+        if frames[at] >= strip.LEADER:
             after = _passed_over(frames, at)
-            letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
+            letters = range(
+                strip.skip(frames, at, strip.LEADER), len(frames[:after].rstrip(bytes([strip.LEADER])))
+            )
             if letters and not words:
                 labels.append(letters)
             at = after
@@ -118,35 +105,41 @@ def _read_from(frames: bytes, start: int) -> Reading:
             words[(frames[at] & 0o77) << 6 | frames[at + 1]] = frames[data] << 6 | frames[data + 1]
             at = end = data + 2
             continue
-        after = skip(frames, at, BLANK)
-        if words and frames[: paper_end(frames[:at])].endswith(LEAST_LEADER):  # a trailer, not a gap
+        after = strip.skip(frames, at, strip.BLANK)
+        if words and frames[: strip.paper_end(frames[:at])].endswith(
+            strip.LEAST_LEADER
+        ):  # a trailer, not a gap
             labels += [range(after, len(frames))] * (after < len(frames))
             break
-        if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
+        if words and frames[-1] != strip.LEADER and not frames[end:-1].strip(_AT_THE_END):
             break  # torn: a last frame of anything; a trailer has no blank tape before it
         if not words or not at < after < len(frames) or frames[after] >> 6 != 1:
             damage = fault
             break
         gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
         at = after
-    labelled = label_after(frames, tuple(labels)) is not None
-    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames[end:])))
-    return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
+    labelled = strip.label_after(frames, tuple(labels)) is not None
+    notes = (
+        *strip.missing_leader(frames, start),
+        *gaps,
+        *([] if damage or labelled else _ending(frames[end:])),
+    )
+    return Reading(words, damage, tuple(labels), notes, start, strip.skip(frames, end, strip.LEADER))
 
 
 def _passed_over(frames: bytes, at: int) -> int:
     """Return the first frame from `at` on without channel 8."""
-    while at < len(frames) and frames[at] >= LEADER:
+    while at < len(frames) and frames[at] >= strip.LEADER:
         at += 1
     return at
 
 
 def _ending(rest: bytes) -> list[str]:
     """Say what is wrong with the end of a tape, the `rest` after its last word."""
-    if rest.startswith(bytes([LEADER])):
-        more = len(rest.strip(bytes([BLANK, LEADER])))
+    if rest.startswith(bytes([strip.LEADER])):
+        more = len(rest.strip(bytes([strip.BLANK, strip.LEADER])))
         return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)
-    return [no_trailer(len(rest), "last word")]
+    return [strip.no_trailer(len(rest), "last word")]
 
 
 def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
@@ -160,7 +153,7 @@ def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
     return None
 
 
-_AT_THE_END = PADDING + bytes([LEADER])
+_AT_THE_END = strip.PADDING + bytes([strip.LEADER])
 _EXPECTED = (
     "the first half of an address",
     "the second half of an address",
