@@ -117,3 +117,22 @@ def test_an_image_is_no_program(call: Call, tmp_path: Path) -> None:
 def test_a_disk_is_refused_by_its_name(call: Call, tmp_path: Path) -> None:
     (tmp_path / "os8.rk05").write_bytes(bytes(3_325_952))
     assert "an RK05 disk; no PDP-8/L had one" in call("pdp8 run --memory 8k --dectape 0=os8.rk05")[2]
+
+
+def test_a_disk_that_is_refused_fits_nothing(tmp_path: Path) -> None:
+    monitor = Monitor(lambda line: None)
+    (tmp_path / "short.df32").write_bytes(bytes(100))
+    for name in ("short.df32", "none.df32"):
+        with pytest.raises(WorkError, match=name):
+            do(monitor, f"attach df {tmp_path / name}")
+    with pytest.raises(WorkError, match="df: no DF32 is fitted; attach df FILE fits it"):
+        do(monitor, "boot df")
+    (tmp_path / "whole.df32").write_bytes(bytes(65_536))
+    do(monitor, f"attach df {tmp_path / 'whole.df32'}")
+    assert [place.device for place in monitor.reels.mounted()] == ["df"]
+
+
+def test_a_disk_is_no_drive(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "d.df32").write_bytes(bytes(65_536))
+    assert "df: the drives are dt0 to dt7" in call("pdp8 run --dectape df=d.df32 hello.pal")[2]
+    assert "d.df32 is the source" in call("pdp8 run --disk df32=d.df32 --save-disk df32=d.df32 hello.pal")[2]
