@@ -89,33 +89,26 @@ if TYPE_CHECKING:
     __version__: str
 
 _PLACES = {
-    "Assembly": ("pal", "Assembly"),
-    "Count": ("pdp8.computer.count", "Count"),
-    "Device": ("pdp8.computer.hardware.bus", "Device"),
-    "History": ("pdp8.computer.past.history", "History"),
-    "LoadError": ("pdp8.computer.machine", "LoadError"),
-    "Machine": ("pdp8.computer.machine", "Machine"),
-    "Stop": ("pdp8.computer.stop", "Stop"),
-    "TapeError": ("tapes.errors", "TapeError"),
-    "WorkError": ("tapes.errors", "WorkError"),
-    "ascii": ("tapes.ascii", ""),
-    "assemble": ("pal", "assemble"),
-    "binary": ("tapes.binary", ""),
-    "cut": ("nc", "cut"),
-    "disassemble": ("pal.disassembler", "disassemble"),
-    "eia": ("tapes.eia", ""),
-    "fields": ("pdp8.computer.hardware.fields", ""),
-    "part": ("programs.parts", "part"),
-    "picture": ("tapes.picture", ""),
-    "plot": ("nc.plot", "plot"),
-    "rim": ("tapes.rim", ""),
-    "signals": ("pdp8.computer.hardware.signals", ""),
-    "state": ("pdp8.computer.past.state", ""),
-    "tape": ("pdp8.shelf", "tape"),
+    "nc": "cut",
+    "nc.plot": "plot",
+    "pal": "Assembly assemble",
+    "pal.disassembler": "disassemble",
+    "pdp8.computer.count": "Count",
+    "pdp8.computer.hardware": "fields signals",
+    "pdp8.computer.hardware.bus": "Device",
+    "pdp8.computer.machine": "LoadError Machine",
+    "pdp8.computer.past": "state",
+    "pdp8.computer.past.history": "History",
+    "pdp8.computer.stop": "Stop",
+    "pdp8.shelf": "tape",
+    "programs.parts": "part",
+    "tapes": "ascii binary eia picture rim",
+    "tapes.errors": "TapeError WorkError",
 }
-"""Where each name is: a module, and the name there, or the module itself."""
+"""What a script needs, by the module that has it; or it is a module of this package itself."""
+_PLACE_OF = {name: place for place, names in _PLACES.items() for name in names.split()}
 
-__all__ = list(_PLACES)
+__all__ = list(_PLACE_OF)
 
 _HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _ROOMS = ("nc", "pal", "programs", "tapes")
@@ -149,7 +142,7 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version
 
         return version("pdp8")
-    if name not in _PLACES:
+    if name not in _PLACE_OF:
         raise AttributeError(f"module 'pdp8' has no attribute {name!r}")
     for room in _ROOMS:
         taken = getattr(sys.modules.get(room), "__file__", None)
@@ -158,11 +151,10 @@ def __getattr__(name: str) -> object:
                 f"{taken} was imported as {room!r}, the name of a package of pdp8: import pdp8 before it, "
                 "or give the file another name"
             )
-    module, attribute = _PLACES[name]
-    found = import_module(module)
-    return getattr(found, attribute) if attribute else found
+    place = _PLACE_OF[name]
+    return getattr(import_module(place), name, None) or import_module(f"{place}.{name}")
 
 
 def __dir__() -> list[str]:
     """Return the names that a script needs, those that are not loaded yet too, and Python's own."""
-    return sorted({*(name for name in globals() if name[:2] == "__"), *_PLACES, "__version__"})
+    return sorted({*(name for name in globals() if name[:2] == "__"), *_PLACE_OF, "__version__"})
