@@ -25,24 +25,12 @@ _BACK = "back"
 _PROGRESS = 0.5
 """Seconds between two events that tell how far something is."""
 _CAPABILITIES = (
-    "supportsConfigurationDoneRequest",
-    "supportsFunctionBreakpoints",
-    "supportsInstructionBreakpoints",
-    "supportsDataBreakpoints",
-    "supportsEvaluateForHovers",
-    "supportsStepBack",
-    "supportsSetVariable",
-    "supportsRestartRequest",
-    "supportsTerminateRequest",
-    "supportsReadMemoryRequest",
-    "supportsWriteMemoryRequest",
-    "supportsDisassembleRequest",
-    "supportsConditionalBreakpoints",
-    "supportsHitConditionalBreakpoints",
-    "supportsLogPoints",
-    "supportsSetExpression",
-    "supportsCompletionsRequest",
-    "supportsGotoTargetsRequest",
+    "supportsConfigurationDoneRequest supportsFunctionBreakpoints supportsInstructionBreakpoints "
+    "supportsDataBreakpoints supportsEvaluateForHovers supportsStepBack supportsSetVariable "
+    "supportsRestartRequest supportsTerminateRequest supportsReadMemoryRequest "
+    "supportsWriteMemoryRequest supportsDisassembleRequest supportsConditionalBreakpoints "
+    "supportsHitConditionalBreakpoints supportsLogPoints supportsSetExpression "
+    "supportsCompletionsRequest supportsGotoTargetsRequest"
 )
 _OF_THE_MACHINE: Mapping[str, Callable[[Debuggee, Body], Body]] = {
     "setBreakpoints": scopes.set_lines,
@@ -187,7 +175,7 @@ class Session:
     def _initialize(self, arguments: Body) -> Body:
         self._first_line = int(arguments.get("linesStartAt1") is not False)
         self._reports = bool(arguments.get("supportsProgressReporting"))
-        return dict.fromkeys(_CAPABILITIES, True)
+        return dict.fromkeys(_CAPABILITIES.split(), True)
 
     def _load(self, launch: Launch) -> None:
         self._room, self._finished = Debuggee(launch, self._breakpoints, self._first_line), False
