@@ -15,6 +15,7 @@ from traceback import extract_tb
 
 from pdp8.computer.hardware.bus import Device, Peripheral
 from pdp8.computer.hardware.devices import one_of_each
+from pdp8.computer.hardware.fields import all_fields, changed, take
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
@@ -75,11 +76,11 @@ def fit(machine: Machine, classes: Devices) -> None:
             if isinstance(device, Device):
                 device.initialize(machine.processor.clock)
         except Exception as error:
-            raise WorkError(f"{made.__name__}: {error}") from error
+            raise WorkError(fault(error) or f"{made.__name__}: {error}") from error
 
 
 def _check(device: Device) -> None:
-    """Raise ValueError for a device that lacks a method it has to have, or a field."""
+    """Raise ValueError for a device that lacks a method or a field, or that IOP1 changes."""
     made = type(device)
     for name in ("pulse", "advance", "initialize"):
         if getattr(made, name) is getattr(Device, name):
@@ -87,6 +88,16 @@ def _check(device: Device) -> None:
     for name in made.fields:
         if not hasattr(device, name):
             raise ValueError(f"fields names {name}, and it has no such attribute")
+    tried = made()
+    fields = [each for each in all_fields([("", tried)]) if each[2] not in ("tested", "iot")]
+    before = take(fields)
+    for ac in (0, 0o7777):
+        tried.pulse(1, ac, 0)
+    if touched := changed(before, take(fields)):
+        raise ValueError(
+            f"its pulse 1 changes {', '.join(touched).strip()}: pulse 1 only tests, as loops that test are "
+            "passed over; act at pulse 2 or 4"
+        )
 
 
 def fault(error: BaseException) -> str:

@@ -113,9 +113,12 @@ def reset(monitor: Monitor, *devices: str) -> None:
 
 def show(monitor: Monitor, *what: str) -> None:
     """Say what is fitted."""
-    fast = ", PC8/L reader and punch" if monitor.machine.highspeed.fitted else ""
-    size = f"{monitor.machine.memory // 1024}K"
-    monitor.say(f"PDP-8/L, {size} of core, ASR-33 Teletype{fast}; no EAE")
+    machine = monitor.machine
+    fast = ", PC8/L reader and punch" if machine.highspeed.fitted else ""
+    others = [each for each in machine.devices if each not in (machine.teletype, machine.highspeed)]
+    more = "".join(f", {type(each).__name__} (device {each.CODE:02o})" for each in others)
+    size = f"{machine.memory // 1024}K"
+    monitor.say(f"PDP-8/L, {size} of core, ASR-33 Teletype{fast}{more}; no EAE")
     rack.show(monitor)
 
 

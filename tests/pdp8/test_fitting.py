@@ -107,7 +107,7 @@ BODY = (
     " def pulse(self, iop, ac, now): return 0\n"
 )
 REFUSED = {
-    "clock.py": "clock.py: teletype, highspeed, dectape, kw8, lp08, pt08, df32 are devices; your own are",
+    "clock.py": f"clock.py: {', '.join(device.NAME for device in fitting.known())} are devices; your own are",
     "highspeed --device highspeed": "highspeed: HighSpeed has device code 01 too",
     "teletype": "Teletype: device 04 is fitted already",
     "none.py:KW8": "none.py: no such file",
@@ -124,6 +124,8 @@ REFUSED = {
     "wrong.py:Printer": "Printer: device 04 is fitted already",
     "wrong.py:Asks": "Asks: Asks.__init__() missing 1 required positional argument: 'what'",
     "wrong.py:Forgets": "Forgets: fields names period, and it has no such attribute",
+    "wrong.py:Counts": "Counts: its pulse 1 changes seen: pulse 1 only tests",
+    "wrong.py:Sets": "Sets: its pulse 1 changes lamps: pulse 1 only tests",
     "clock.py:Clock --device clock.py:Clock": "clock.py:Clock: Clock has device code 13 too",
 }
 
@@ -140,6 +142,10 @@ def test_what_is_no_device_is_refused(call: Call) -> None:
         f"class Beyond(Device):\n CODE = 0o100\n{BODY}"
         f"class Printer(Device):\n CODE = 4\n{BODY}"
         f"class Asks(Device):\n CODE = 0o13\n def __init__(self, what): super().__init__()\n{BODY}"
+        "class Counts(Device):\n CODE = 0o13\n fields = {'seen': 9999}\n seen = 0\n"
+        f"{BODY[: BODY.rindex('return')]}self.seen += 1; return 0\n"
+        "class Sets(Device):\n CODE = 0o13\n fields = {'lamps': '7777'}\n lamps = 0\n"
+        f"{BODY[: BODY.rindex('return')]}self.lamps = ac; return 0\n"
         f"class Forgets(Device):\n CODE = 0o13\n fields = {{'period': 1}}\n{BODY}"
     )
     for name, message in REFUSED.items():

@@ -7,6 +7,7 @@ import pytest
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
+from pdp8.computer.rack.kw8 import KW8
 from pdp8.monitor.arguments import MonitorError, Quoted
 from pdp8.monitor.commands import find
 from pdp8.monitor.prompt import Monitor
@@ -131,12 +132,6 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: P
     for line in ("set cpu 8k", "set cpu 4k", f"restore {tmp_path}/s"):
         do(monitor, line, "page more")
         assert (said[-1], kept()) == ("", before), line
-    do(monitor, "go 200 3", f"save {tmp_path}/printed")
-    other = Monitor(said.append)
-    other.machine.teletype.printer.frames.extend(b"OTHER")
-    for line in ("page more", f"restore {tmp_path}/printed", "page more"):
-        do(other, line)
-    assert "HELLO, WORLD." in said[-3:]
 
 
 def test_words_of_8k_are_counted_to_its_end() -> None:
@@ -170,3 +165,14 @@ def test_what_is_shown_and_expected_is_what_is_new() -> None:
     monitor.machine.teletype.printer.frames.extend(b"D")
     do(monitor, "page more")
     assert said[-1] == "D"
+
+
+def test_show_names_each_device_that_is_fitted() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append, Machine([*one_of_each(), KW8()]))
+    do(monitor, "set df enabled")
+    do(monitor, "show")
+    expected = (
+        "PDP-8/L, 4K of core, ASR-33 Teletype, PC8/L reader and punch, KW8 (device 13), DF32 (device 60)"
+    )
+    assert said[0] == f"{expected}; no EAE"
