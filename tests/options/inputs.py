@@ -146,7 +146,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "digits.txt": octal.decode(ascii.encode("1\n")).encode(),
     "points.txt": b"0 0\n1 1\n2 4\n3 9.5\n",
     "outline.csv": b"-1 -1\n1 -1\n1 1\n-1 1\n",
-    "tap.eia": _tape(_HEADER + _TAP),
+    "tap.eia": _tape(_HEADER + _SHOP + _TAP),
     "answer.pal": shelf.read_bundled("hello.pal"),
     "script.txt": b"load literal.pal\nexamine 200:202\ndeposit 300 7001 6131 7402\ngo 300\nregisters\n"
     b"fast-reader in.asc\n",
@@ -176,6 +176,8 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "work.pal --punch out.tape",
         "work.pal",
         "cut.bin --punch out.tape",
+        "sum.bin --save kept.state",
+        "work.pal --dectape 0=reel.tu56",
         "sum.bin --punch out.tape",
         "sum.bin --boot --punch out.tape",
         "work.pal --boot --save kept.state",
@@ -215,7 +217,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "digits.txt --to ascii",
     ),
     "tape punch": ("typed.txt", "words.txt"),
-    "tape show": ("in.asc",),
+    "tape show": ("in.asc", "in.asc --svg out.svg"),
     "part circle": (
         *_quick("--radius .3"), *_quick("--tolerance .05"), *_quick("--tolerance .05 --cutter .1"),
         *_quick(""),
@@ -257,7 +259,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
     "nc cut": ("small.eia", "rows.eia", "hole.eia"),
     "nc plot": ("line.eia", "small.eia", "rows.eia", *_FUNCTION),
     "nc inspect": (
-        "round.eia", "round.eia --talysurf out.svg",
+        "round.eia", "round.eia --circle 4,4,.25", "round.eia --talysurf out.svg",
         "line.eia", "small.eia", "rows.eia", "line.eia --talysurf out.svg", *_FUNCTION,
         "line.eia --function .08*x-.978 --range 0.1,0.8 --talysurf out.svg",
     ),
@@ -346,6 +348,7 @@ _VALUES: Final = {
     "--tool-change": "30",
     "--read-seconds": "1",
     "--passes": "2",
+    "--url": "https://example.org/pdp8.html",
     "--circle": "4,4,.26",
     "--ellipse": "4,4,.26,.25",
     "--line": "4.1,4.03,4.8,4.08",

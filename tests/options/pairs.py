@@ -60,7 +60,7 @@ def tried(pair: Pair) -> str:
         return HIDDEN
     said = "no call of inputs.py tries it"
     refused = []
-    for call in inputs.CALLS[pair.command]:
+    for call in inputs.CALLS.get(pair.command, ()):
         if any(option in call.split() for option in pair.options):
             continue
         both = _outcome(pair.command, call, pair.options)

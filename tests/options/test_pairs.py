@@ -1,6 +1,6 @@
-"""Options alone and in pairs: a tenth of what `make options` tries, by a fixed seed."""
+"""Options alone and in pairs: a tenth of what `make options` tries, the same whatever others there are."""
 
-import random
+from zlib import crc32
 
 from tests.options.pairs import ACT, HIDDEN, REFUSED, Pair, declared, pairs, tried
 
@@ -8,8 +8,8 @@ OF_EVERY_PART = frozenset(declared()["part circle"])
 
 
 def test_an_option_acts_or_is_refused_alone_and_beside_another() -> None:
-    every = [pair for pair in pairs() if not of_the_circle_too(pair)]
-    found = {pair: tried(pair) for pair in random.Random(41).sample(every, len(every) // 10)}
+    tenth = [pair for pair in pairs() if crc32(repr(pair).encode()) % 10 == 0 and not of_the_circle_too(pair)]
+    found = {pair: tried(pair) for pair in tenth}
     assert {pair: how for pair, how in found.items() if how not in (ACT, REFUSED, HIDDEN)} == {}
     assert REFUSED in found.values()
 
