@@ -6,6 +6,7 @@
     path        what it did: steps, moves, modes, times
     listing     the program as a table
     curves      the nominal curve: circle, ellipse, line, function of x
+    unit        inches, or millimetres of today, for what is said and written
     inspection  the walls a round cutter left, against that curve
     report      the run and the inspection, in words
     drawing     a sheet of paper with inch scales: SVG

@@ -32,7 +32,7 @@ Eight scripts stand in docs/python.md. Each name is imported when it is first us
 alone is quick. The packages beside this one have plain names (`tapes`, `programs`); a script may have files
 of the same names: ours are found first, and a warning names both.
 
-The rooms:
+The packages:
 
 computer/   the machine itself: processor, engine, Teletype, panel, operator
 monitor/    the operator's prompt, for people and scripts
@@ -42,10 +42,13 @@ replay/     the whole 1971 afternoon in one call
 thesis/     its figures and tables made again, its programs line by line
 web/        pages for a browser
 lessons/    exercises, and the answers of a class marked
+vectors/    what every word does, for tests of any emulator
 cli/        the command; `python -m pdp8` is the same
 
 shelf       where files are found, read and written
 fitting     devices of anybody's, each in a file of its own
+reels       DECtapes on drives, discs of a DF32, and the files that they came from
+companion   the nominal curve in a file beside a tape
 """
 
 import os

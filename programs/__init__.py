@@ -34,5 +34,6 @@ points           points of a file: measured ones, or an outline
 least_squares    a function from measured points
 mirror           the other hand of a part
 parts            which part programs there are
+nominals         the nominal curve of each, from its constants
 thesis           what the thesis says of each part
 """

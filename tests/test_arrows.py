@@ -115,6 +115,16 @@ def test_the_computer_imports_no_front_end_and_its_rooms_one_way() -> None:
                     assert folder(name) <= folder(here), f"{here} imports {name}"
 
 
+def test_a_package_says_what_each_of_its_files_is_for() -> None:
+    unsaid = []
+    for path, here, tree in sources():
+        if path.name == "__init__.py" and (text := ast.get_docstring(tree)):
+            files = {each.stem for each in path.parent.glob("*.py")} - {"__init__", "__main__"}
+            files |= {each.parent.name for each in path.parent.glob("*/__init__.py")}
+            unsaid += [f"{here}: {name}" for name in sorted(files) if not re.search(rf"\b{name}\b", text)]
+    assert unsaid == []
+
+
 def test_what_a_module_leaves_out_is_in_emulated_md() -> None:
     left_out = (HOUSE / "docs" / "emulated.md").read_text()
     for path, here, tree in sources():

@@ -4,6 +4,7 @@ root      the `pdp8` command, which hangs the others together
 run       a program and its tape in, the punched tape out
 panel     the front panel             monitor    the operator's prompt       dap      a debugger for editors
 assemble  `pal` and `pdp8 dis`        tape       `pdp8 tape`                 part     `pdp8 part`
+os8       `pdp8 tape insert` and `extract`: files of OS/8 on a DECtape
 part_options  the constants of a part as options     nc      `pdp8 nc`; nc_options, what its commands share
 check     the answers of a class      cards      cards to print              replay   the afternoon of 1971
 thesis    its figures and tables      workbench  the machine in a page       vectors  what every word does

@@ -6,6 +6,7 @@ bus          IOP pulses, SKIP, interrupt request: what processor and devices say
 signals      times, pulses and answers on which the others agree
 teletype     ASR-33: keyboard and reader (03), printer and punch (04)
 highspeed    PC8/L: the high-speed reader (01) and punch (02)
+extension    MC8/L: the fields of core above 4K
 core         the words of core, examined and deposited from outside
 panel        lamps, switches and keys
 fields       how a part says what a saved state holds of it
