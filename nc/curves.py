@@ -296,7 +296,8 @@ def curve(nominal: Nominal, cutter: float) -> Curve:
         places = [(radius(angle) * cos(angle), radius(angle) * sin(angle)) for angle in angles]
         what = f"profile r = {nominal.expression}"
     else:
-        places = list(nominal.points)
+        around = zip(nominal.points, (*nominal.points[1:], *nominal.points[:1]), strict=True)
+        places = [here for here, there in around if here != there]
         what = f"outline of {len(places)} points"
     return Outline(x, y, np.array([x, y]) + 1000 * np.array(places), what, beside)
 

@@ -1,8 +1,8 @@
 """From one code to another: characters to characters, words to words, and any tape to octal and back.
 
-    text, ascii, eia    characters     text is a file's, its lines ended by LF
-    bin, rim            words
-    octal               the frames themselves, spelled out; they come back by the target "frames"
+    text, ascii, eia, ita2    characters     text is a file's, its lines ended by LF
+    bin, rim                  words
+    octal                     the frames themselves, spelled out; they come back by the target "frames"
 
 Channel 8 of a tape that stays ASCII is punched again and nothing else changes, unless the fill is given too
 or it has LF without CR, as a text file has.

@@ -39,7 +39,7 @@ class _Parts(Group):
 
 @click.group(cls=_Parts, context_settings=_SETTINGS)
 def part() -> None:
-    """Run a part program of the thesis: an ASCII tape of blocks, ready for the translation.
+    """Run a part program: an ASCII tape of blocks, ready for the translation.
 
     Every length at a command is in inches; a listing counts the same in thousandths.
 

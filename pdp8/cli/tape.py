@@ -268,9 +268,9 @@ def convert(
     force: bool,
     output: str,
 ) -> None:
-    """Convert a tape: characters (text, ascii, eia), words (bin, rim, or spelled out as text), or any to
-    octal digits and back to frames. A frame that breaks a rule which its tape obeys is named, and no tape is
-    made of it before it is mended or accepted.
+    """Convert a tape: characters (text, ascii, eia, ita2), words (bin, rim, or spelled out as text), or
+    any to octal digits and back to frames. A frame that breaks a rule which its tape obeys is named, and no
+    tape is made of it before it is mended or accepted.
 
     Words spelled out as text are known by their form: octal addresses and words, Verilog's $readmemh, EP,
     deposits of a SIMH script, lines of twelve bits, octal frames.
@@ -403,7 +403,7 @@ def punch(
     title: str,
     output: str,
 ) -> None:
-    """Punch a tape from typed text: each end of line becomes CR LF and fill, or EIA's end of block.
+    """Punch a tape from typed text: each end of line becomes CR LF and fill, or what ends a line in its code.
 
     A Hydra-Point program may be typed as a book prints it, its 19 digits apart: 001 0 00000 00000 0 35 88.
     Such spaces and blank lines are not punched, and a line without 19 digits is named.

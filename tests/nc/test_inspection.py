@@ -15,6 +15,7 @@ from nc.inspection import Inspection, Walls, against, followed, inspect, runs, w
 from nc.machine import Settings
 from nc.report import inspection_report
 from nc.talysurf import talysurf
+from nc.unit import INCH
 from programs.parts import PARTS, part
 from tapes.errors import WorkError
 from tapes.nominal import Nominal
@@ -320,3 +321,11 @@ def test_a_graph_goes_through_every_turning_point() -> None:
     kept = [run.tolist() for run in runs(deviation, closed=False, every=100)]
     assert {0, 1, 12, 13} <= set(kept[0])
     assert kept[1] == [15, 16, 17]
+
+
+def test_a_point_that_comes_twice_in_a_row_changes_no_outline() -> None:
+    square = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+    twice = (*square[:2], *square[1:], square[0])
+    one, two = (curve(Nominal("profile", (4, 4), points=points), 500) for points in (square, twice))
+    assert np.array_equal(one.stations(80).points, two.stations(80).points)
+    assert one.said(INCH) == two.said(INCH)

@@ -14,6 +14,7 @@ import programs
 from pdp8.cli.part import part
 from pdp8.replay import replay
 from programs import die, fluidic, parts, slope, thesis
+from programs.nominals import NOMINALS
 from programs.parts import PARTS, Part
 from tapes import ascii
 from tests.programs.printouts import blocks, milled
@@ -32,6 +33,11 @@ def test_a_new_part_program_is_its_file_and_its_entry(
     made = run.invoke(part, ["chamfer"]).stdout_bytes
     assert ascii.decode(made).splitlines() == slope.part().splitlines()
     assert replay("chamfer").path.blocks == replay("slope").path.blocks
+
+
+def test_every_part_but_that_of_holes_has_a_nominal_curve() -> None:
+    """Without one in programs/nominals.py its walls are measured against a guess."""
+    assert set(PARTS) - {"drill"} == set(NOMINALS)
 
 
 @pytest.mark.parametrize("name", PARTS)

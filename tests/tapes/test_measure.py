@@ -45,7 +45,7 @@ line ends 0 CR, 3 LF, 0 RUBOUT
 warning LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF""",
     b"": "tape empty",
     bytes(9): "tape blank",
-    bytes(range(256)): "tape unknown: none of BIN, RIM, ASCII, EIA, ITA2",
+    bytes(range(256)): f"tape unknown: none of {', '.join(code.name.upper() for code in codes.CODES)}",
     EIA: """\
 tape EIA RS-244
 frames 49: leader 4, trailer 2

@@ -20,7 +20,7 @@ def dialect_option(needs: str = "") -> Callable[[_Function], _Function]:
 
 device_option = option(
     "--device",
-    "Fit a device, highspeed or a class in a Python file of your own.",
+    "Fit a device, such as highspeed or kw8, or a class in a Python file of your own.",
     multiple=True,
     metavar="NAME|FILE:CLASS",
 )

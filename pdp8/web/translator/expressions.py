@@ -105,6 +105,9 @@ class Expressions(Types):
         if self.trusted:
             return without_none(kind)
         if ANY in either(kind):
+            of = node.func if isinstance(node, ast.Call) else node
+            if isinstance(of, ast.Attribute):
+                self.attributed(of)
             self.fail(node, "its type is unknown", "an annotation")
         if NONE in either(kind) and kind != NONE:
             self.fail(node, "it may be None", "a test that it is not")

@@ -83,7 +83,7 @@ pdp8 check add ana.html --pages . -> : ./ana.html was read: it is not replaced
 MISUSE = """\
 pdp8 tape show --to -1 -> '--to': -1 is not in the range x>=0.
 pdp8 tape show --to 1 --from 2 -> --to 1 lies before --from 2
-pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'bin', 'rim', 'ascii', 'eia', 'ita2', 'none'.
+pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'bin', 'rim', 'ascii', 'eia',
 pdp8 tape punch --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
 pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=100000.
 pdp8 tape hang -> there is no command 'hang'
