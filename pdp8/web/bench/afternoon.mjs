@@ -122,6 +122,7 @@ export class Afternoon {
     this.release(script.machine, !playing);
     bench.teletype.named(script.mounted, this.code);
     bench.why = `You have taken over at ${clock(script.now)}`;
+    bench.show();
   }
 
   /** The script no longer leads the machine; the page has it. */
@@ -130,6 +131,7 @@ export class Afternoon {
     this.bench.adopt(machine, stops);
     this.way = html`<button class="text" data-click="afternoon.back">Back to the afternoon, ${clock(this.script.now)}</button>`;
     if (this.asked !== null) readdress(DESK);
+    this.bench.clock.wake(); // it may be running
     document.body.classList.remove("afternoon");
   }
 

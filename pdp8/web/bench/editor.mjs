@@ -358,6 +358,7 @@ export class Editor {
     this.bench.afternoon.takeOver();
     this.assemble();
     this.bench.machine.panel.stop();
+    this.bench.why = "";
     return this.assembly;
   }
 

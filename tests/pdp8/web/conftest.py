@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from pdp8.web.workbench import page as workbench
-from tests.pdp8.web import small
+from tests.pdp8.web import node, small
 from tests.pdp8.web.browsing import DESK, Chromium, Page, Tab
 from tests.pdp8.web.firefox import FIREFOX, Firefox, opened
 
@@ -16,7 +16,7 @@ _BROWSERS = ("chromium", "firefox")
 @pytest.fixture(scope="session")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page on disk; it is under 500 kB and may ask for nothing."""
-    html = workbench()
+    html = node.page("pdp8", workbench)
     assert len(html) < 500_000
     assert "default-src 'none'" in html
     path = tmp_path_factory.mktemp("workbench") / "pdp8.html"

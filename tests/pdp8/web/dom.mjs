@@ -1,4 +1,4 @@
-/* global Blob, URL, structuredClone */
+/* global Blob, Response, URL, structuredClone */
 // A small document in Node.js, on which the pages' modules run as they do in a browser: elements, selectors, events, what a
 // form's controls hold, two stores. Time passes when it is told to (`pass`), chance is the same each time.
 //
@@ -274,7 +274,7 @@ export class Element extends Node {
   }
   point() {
     this.emit("pointerdown");
-    if (this.tabIndex >= 0) this.focus();
+    if (this.tabIndex >= 0 || this.hasAttribute("tabindex")) this.focus();
     else document.activeElement.blur();
     this.click();
   }
@@ -452,11 +452,20 @@ class OffscreenCanvas {
   async convertToBlob() { return new Blob(["picture"]); }
   transferToImageBitmap() { return this; }
 }
-/** The nodes of a sound. */
-class Sounding {
-  constructor() { return new Proxy(this, { get: (of, name) => (name === "connect" || name === "start" || name === "stop" ? () => of : name === "currentTime" ? now / 1000 : name === "sampleRate" ? 8000 : name === "getChannelData" ? () => new Float32Array(8000) : /^(then|constructor)$/.test(String(name)) ? undefined : new Sounding.Value()) }); }
+/** The nodes of a sound: `sounded` has how many contexts were made, whether they sound, and how loud what lasts is. */
+export const sounded = {};
+let lasting = 0;
+class Loudness {
+  setTargetAtTime(value) { sounded[`hum ${this.number ??= (lasting += 1)}`] = String(value); }
+  setValueAtTime() {} linearRampToValueAtTime() {} exponentialRampToValueAtTime() {} cancelScheduledValues() {}
 }
-Sounding.Value = class { setValueAtTime() {} linearRampToValueAtTime() {} exponentialRampToValueAtTime() {} setTargetAtTime() {} cancelScheduledValues() {} };
+const sounding = (kind) => class Sounding {
+  constructor() {
+    if (kind === "AudioContext") sounded.contexts = String(Number(sounded.contexts ?? 0) + 1);
+    const act = (name) => (name === "connect" ? (to) => to : name === "resume" || name === "suspend" ? () => void (sounded.sound = name) : () => undefined);
+    return new Proxy(this, { get: (_, name) => (/^(connect|start|stop|resume|suspend)$/.test(String(name)) ? act(name) : name === "currentTime" ? now / 1000 : name === "sampleRate" ? 8000 : name === "getChannelData" ? () => new Float32Array(8000) : /^(then|constructor)$/.test(String(name)) ? undefined : new Loudness()) });
+  }
+};
 
 // Time and chance
 
@@ -464,7 +473,12 @@ let now = 0, count = 0, chance = 1;
 const due = new Map();
 const later = (act, after = 0, ...given) => (due.set((count += 1), { at: now + Math.max(0, Number(after) || 0), act: () => act(...given), count }), count);
 const turn = globalThis.setImmediate;
-export const settle = async () => { for (let times = 0; times < 3; times++) await new Promise((done) => turn(done)); };
+let reading = 0; // what the machine below reads or packs, in its own time
+for (const { prototype } of [Blob, Response]) {
+  const { arrayBuffer } = prototype;
+  prototype.arrayBuffer = function read() { reading += 1; return arrayBuffer.call(this).finally(() => (reading -= 1)); };
+}
+export const settle = async () => { for (let times = 0; times < 3; times = reading ? 0 : times + 1) await new Promise((done) => turn(done)); };
 /** Let so many milliseconds pass, and do what is due in them. */
 export async function pass(milliseconds) {
   const end = now + milliseconds;
@@ -574,7 +588,7 @@ export function open(source, address, { kept = {}, own = {}, reduced = false, wo
     setTimeout: later, clearTimeout: (number) => due.delete(number), requestAnimationFrame: (act) => later(() => act(now), 1), cancelAnimationFrame: (number) => due.delete(number), requestIdleCallback: (act) => later(act),
     addEventListener: (...given) => view.addEventListener(...given), removeEventListener: (...given) => view.removeEventListener(...given), dispatchEvent: (event) => view.dispatchEvent(event),
     pack: { record: record("record"), more: async () => record("more"), unpacked },
-    AudioContext: Sounding, AudioBuffer: Sounding, AudioBufferSourceNode: Sounding, BiquadFilterNode: Sounding, DynamicsCompressorNode: Sounding, GainNode: Sounding, OscillatorNode: Sounding,
+    ...Object.fromEntries("AudioContext AudioBuffer AudioBufferSourceNode BiquadFilterNode DynamicsCompressorNode GainNode OscillatorNode".split(" ").map((kind) => [kind, sounding(kind)])),
   });
   Map.groupBy ??= (all, of) => [...all].reduce((found, each) => found.set(of(each), [...(found.get(of(each)) ?? []), each]), new Map()); // Node.js 20 has none
   document.title = document.querySelector("title")?.textContent ?? "";

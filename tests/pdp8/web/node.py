@@ -6,7 +6,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -56,6 +56,13 @@ def modules(checked: bool = True) -> Path:
     for file in Path(__file__).parent.glob("*.mjs"):
         shutil.copy(file, folder)
     return folder
+
+
+def page(name: str, make: Callable[[], str]) -> str:
+    """Return the HTML of a page; while faults of its modules are tried it is made once: they run, not it."""
+    if folder := os.environ.get("PDP8_MODULES"):
+        return (Path(folder) / f"{name}.html").read_text(encoding="utf-8")
+    return make()
 
 
 def write(folder: Path, translated: dict[str, str], suffix: str = ".mjs") -> None:

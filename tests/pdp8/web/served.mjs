@@ -13,12 +13,13 @@ process.on("unhandledRejection", (reason) => dom.complaints.push(reason));
 for (const script of given.scripts) (0, eval)(script);
 await import(`./pdp8/web/${given.entry}.mjs`);
 globalThis.dom = dom;
+globalThis.walk = await import("./walk.mjs");
 let owned = "";
 const mine = () => {
   const now = JSON.stringify(sessionStorage);
   return now === owned ? undefined : JSON.parse(owned = now);
 };
-let before = { ...localStorage };
+let before = { ...given.kept };
 const changes = () => {
   const now = { ...localStorage }, keys = Object.keys({ ...before, ...now }).filter((key) => before[key] !== now[key]);
   before = now;

@@ -25,6 +25,7 @@ _ROOM = """async ([turn, part, wide, high]) => {
 _DESK = """async () => {
   const { mill, parts, tabs } = workbench;
   const seen = [];
+  await dom.pass(400);
   const look = async (act) => seen.push(...await dom.drawn(async () => {
     act();
     workbench.show();
