@@ -16,17 +16,17 @@ from pdp8.cli.shared.parameters import device_option, dialect_option
 from pdp8.cli.shared.rules import flag
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
+from pdp8.computer.use.trace import Listing
 from pdp8.monitor import rack
 from pdp8.monitor.commands import COMMANDS, do, do_file
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import next_tape
 from pdp8.monitor.simh import take_off
+from pdp8.reels import Reels
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
     from pdp8.cli.running.keyboard import Terminal
-    from pdp8.computer.use.trace import Listing
-    from pdp8.reels import Reels
 
 
 _BACK = "cont goes back into the program"
@@ -107,8 +107,8 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
 
 def sit_down(
     machine: Machine,
-    listing: "Listing",
-    mounted: "Reels | None",
+    listing: Listing,
+    mounted: Reels | None,
     max_time: float | None,
     realtime: bool,
     pass_on: Callable[[], object],

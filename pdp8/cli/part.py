@@ -16,6 +16,7 @@ from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, eia
+from tapes.errors import WorkError, naming
 from tapes.nominal import Nominal
 from tapes.text import lines_of
 
@@ -120,8 +121,6 @@ def _is_ours(name: str) -> bool:
 
 def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[str, Any]]:
     """Return the printout for an expression, or a file of points that it names, and the values used."""
-    from tapes.errors import WorkError, naming
-
     program, given = part.program(), values["expression"]
     if given == "-" or shelf.has(given):
         with naming(given):
@@ -191,7 +190,6 @@ def fit(points: str, degree: int, mm: bool) -> None:
       pdp8 part curve "$(pdp8 part fit points.txt)" --to 4 -o curve.asc
     """
     from programs import least_squares
-    from tapes.errors import naming
 
     with naming(points):
         found = least_squares.fit(_points(points, mm), degree)
@@ -220,7 +218,6 @@ def mirror(tape: str, across: Literal["x", "y"], about: float | None, output: st
     from programs.mirror import mirrored
     from tapes import codes
     from tapes.convert import convert
-    from tapes.errors import naming
 
     content = shelf.read(tape)
     with naming(tape):

@@ -10,6 +10,7 @@ from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
 from pdp8.cli.shared.rules import option
 from programs.parts import PARTS
+from tapes.errors import naming
 
 if TYPE_CHECKING:
     from pdp8.replay import Act, Afternoon
@@ -58,7 +59,6 @@ def _own(part: str, reel: str) -> "Afternoon":
     """Do the day with the part program in DEC's FORTRAN."""
     from pdp8.replay.fortran import LISTINGS, Own
     from tapes import dectape
-    from tapes.errors import naming
 
     if part not in LISTINGS:
         raise click.UsageError(f"--fortran: the thesis lists {' and '.join(LISTINGS)}; {part} is ours.")

@@ -22,15 +22,17 @@ from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
+from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import DEPARTURES, ended, explained, may_be_wrong, rerun, sentences
+from pdp8.computer.use.program import Program
+from pdp8.computer.use.trace import Listing
 from pdp8.shelf import ShelfError
-from tapes import codes
+from tapes import codes, rim
 from tapes.errors import called, naming
+from tapes.quantities import counted, duration, ranges
 
 if TYPE_CHECKING:
-    from pdp8.computer.use.program import Program
-    from pdp8.computer.use.trace import Listing
     from pdp8.reels import Reels
 
 _DONE = (Reason.HALT, Reason.TAPE_OUT)
@@ -215,18 +217,14 @@ class _Run:
             bootstrap.boot(self.machine, booted.bootstrap)
         self.began = self.machine.values()
         if self.paged or self.feed.left:
-            from pdp8.computer.past.history import History
-
             History(self.machine)
 
     @property
-    def listing(self) -> "Listing":
+    def listing(self) -> Listing:
         """The program's listing, empty without one."""
-        from pdp8.computer.use.trace import Listing
-
         return self.found.listing if self.found else Listing()
 
-    def _program(self, explicit: Collection[str | None]) -> "Program | None":
+    def _program(self, explicit: Collection[str | None]) -> Program | None:
         """Return the program, if named, after checking all file names. Raises UsageError."""
         options = self.options
         reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
@@ -275,8 +273,6 @@ class _Run:
             if options.force or not options.quiet:
                 command.say_of(found.name, found.notes)
             if options.start not in found.words and not options.quiet:
-                from tapes.quantities import ranges
-
                 has = f"it has {ranges(found.words)}, and --start says where to begin"
                 command.say_of(found.name, [f"no word at {options.start:04o}, where it is started; {has}"])
         return machine
@@ -303,11 +299,9 @@ class _Run:
             if not options.quiet:
                 command.say_of(name, notes)
 
-    def _boot(self, machine: Machine, found: "Program") -> None:
+    def _boot(self, machine: Machine, found: Program) -> None:
         """Load the program as an operator does, saying what it took."""
         from pdp8.computer.use.operator import Operator
-        from tapes import rim
-        from tapes.quantities import duration
 
         options = self.options
         if options.loader is None:
@@ -479,8 +473,6 @@ class _Run:
         words = self.found.words if self.found else {}
         if not may_be_wrong(stop, self.machine, words):
             return stop
-        from pdp8.computer.past.history import History
-
         history = self.machine.recorder
         if not isinstance(history, History):
             history = rerun(self.machine, self.began)
@@ -532,8 +524,6 @@ def _by_device(reels: Sequence[str], disk: str | None) -> dict[str, str]:
 
 def _counts(machine: Machine, read: int) -> str:
     """Say what was read and punched, and the time of 1971."""
-    from tapes.quantities import counted, duration
-
     parts = [(read, len(machine.teletype.punch.frames), "")]
     if machine.highspeed.fitted:
         fast = machine.highspeed

@@ -11,6 +11,7 @@ from pdp8.cli.shared import command, extras, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
 from pdp8.cli.shared.rules import flag, option
 from tapes import (
+    binary,
     codes,
     cutting,
     dectape,
@@ -86,7 +87,6 @@ def _unspelled(file: str, content: bytes) -> bytes:
 def _core_of_state(file: str, content: bytes) -> bytes:
     """Return the BIN tape of the words in a saved state's core that are not 0000."""
     from pdp8.computer.past import state
-    from tapes import binary
 
     with naming(file):
         core = state.restore(content.decode("utf-8", "replace")).core

@@ -1,18 +1,16 @@
 """The thesis's figures beside the afternoon's."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from nc.inspection import Inspection, against
+from pdp8.replay.afternoon import Afternoon
 from pdp8.replay.implied import SLOWEST, machined
 from programs import circle
 from programs.parts import PARTS
 from programs.thesis import THESIS, Thesis
 from tapes.hydrapoint import FEED_TOLERANCE, Preparatory
 from tapes.quantities import inches
-
-if TYPE_CHECKING:
-    from pdp8.replay.afternoon import Afternoon
 
 COLUMNS: Final = ("", "thesis", "replay")
 NOT_SAID: Final = "–"
@@ -26,14 +24,14 @@ class Figure(NamedTuple):
     replay: str
 
 
-def compare(afternoon: "Afternoon") -> list[Figure]:
+def compare(afternoon: Afternoon) -> list[Figure]:
     """Return the table's lines for this afternoon."""
     said = THESIS.get(afternoon.part, Thesis())
     found = [*_minutes(afternoon, said), *_errors(afternoon, said)]
     return [Figure(name, thesis or NOT_SAID, replayed) for name, thesis, replayed in found]
 
 
-def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
+def _minutes(afternoon: Afternoon, said: Thesis) -> Iterator[tuple[str, str | None, str]]:
     """Yield blocks and minutes, the parts of the machine time, and the minutes at another feed."""
     minutes, times = afternoon.minutes, afternoon.path.times
     yield "blocks", said.blocks, f"{len(afternoon.path)}"
@@ -55,7 +53,7 @@ def _minutes(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | 
             yield f"  the pass at {name} in/min", said.cut, f"{slower / 60:.1f}"
 
 
-def _errors(afternoon: "Afternoon", said: Thesis) -> Iterator[tuple[str, str | None, str]]:
+def _errors(afternoon: Afternoon, said: Thesis) -> Iterator[tuple[str, str | None, str]]:
     """Yield the walls' errors, trough to peak; for the circle also with its contour closed."""
     if afternoon.inspection is None:
         return

@@ -6,6 +6,7 @@ changes nothing else: the machine's time is that of the whole tape.
 
 import os
 import select
+import stat
 import sys
 from collections.abc import Callable
 from io import UnsupportedOperation
@@ -145,6 +146,4 @@ def _pipe(name: str) -> int:
             return -1
         with shelf.failing(name):
             number = os.open(path, os.O_RDONLY)
-    import stat
-
     return -1 if stat.S_ISREG(os.fstat(number).st_mode) else number

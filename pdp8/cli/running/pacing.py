@@ -17,6 +17,7 @@ from pdp8.cli.shared.progress import Bar
 from pdp8.computer.hardware.signals import NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
+from tapes.quantities import duration
 
 # Slices of a run in seconds of machine time, the shortest and the longest. A trace tells of a wait once a
 # slice: so that it is always the same, its slices are.
@@ -156,8 +157,6 @@ class _Silence:
         if frames != self._frames:
             self._frames, self._since = frames, now
         elif now > self._since + _SILENT:
-            from tapes.quantities import duration
-
             self._wanted = False
             command.say(
                 f"at {machine.pc:04o} after {duration(machine.elapsed)} of machine time, and nothing is read "

@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pdp8.computer.hardware.extension import FIELD
-from tapes import ascii, codes, dump
+from tapes import ascii, binary, codes, dump, rim
 from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
 from tapes.loaders import Words
@@ -151,8 +151,6 @@ _Loaded = tuple[dict[int, int], TapeError | None]
 
 
 def _bin(frames: bytes, memory: int) -> _Loaded:
-    from tapes import binary
-
     reading = binary.read(frames)
     words, fields = binary.content(reading)
     damage = binary.find_damage(reading)
@@ -164,7 +162,5 @@ def _bin(frames: bytes, memory: int) -> _Loaded:
 
 
 def _rim(frames: bytes) -> _Loaded:
-    from tapes import rim
-
     reading = rim.read(frames)
     return reading.words, reading.damage
