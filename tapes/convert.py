@@ -49,7 +49,8 @@ def convert(
     title = b""
     if isinstance(code, Characters):
         title, content = _without_title(content, code, accept)
-    if code is made is codes.ASCII and fill is None and not _is_file(content):
+    is_file = b"\n" in content and b"\r" not in content.translate(frames.PARITIES["none"])
+    if code is made is codes.ASCII and fill is None and not is_file:
         leader, body, trailer = frames.strip(content)
         return title + leader + frames.with_parity(body, parity) + trailer
     if isinstance(code, Words) and isinstance(made, Words):
@@ -96,7 +97,3 @@ def typed(content: bytes) -> str:
         found = f"byte {content[error.start]:03o} is no text"
         raise TextError(found, content.decode("latin-1"), error.start) from None
     return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _is_file(content: bytes) -> bool:
-    return b"\n" in content and b"\r" not in content.translate(frames.PARITIES["none"])

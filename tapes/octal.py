@@ -21,7 +21,9 @@ def encode(text: str) -> bytes:
         at = spelled.find(":") + 1
         for number in spelled[at:].split():
             at = spelled.index(number, at)
-            frames.append(_frame(number, text, start + at))
+            if number.strip("01234567") or int(number, 8) > 0o377:
+                raise TextError(f"{number!r} is no frame: octal, 000 to 377", text, start + at)
+            frames.append(int(number, 8))
         start += len(line)
     return bytes(frames)
 
@@ -33,9 +35,3 @@ def decode(frames: bytes) -> str:
         for start in range(0, len(frames), _A_LINE)
     )
     return "".join(line + "\n" for line in lines)
-
-
-def _frame(number: str, text: str, index: int) -> int:
-    if number.strip("01234567") or int(number, 8) > 0o377:
-        raise TextError(f"{number!r} is no frame: octal, 000 to 377", text, index)
-    return int(number, 8)

@@ -81,7 +81,9 @@ def words(image: Image, name: str) -> list[int]:
     wanted = canonical(name)
     entry = next((each for each in directory(image) if each.name == wanted), None)
     if entry is None:
-        raise TapeError(f"no file {wanted}; the directory has {_some(directory(image))}")
+        names = [each.name for each in directory(image) if each.name]
+        some = ", ".join(names[:8]) + f" and {len(names) - 8} more" * (len(names) > 8) or "no file"
+        raise TapeError(f"no file {wanted}; the directory has {some}")
     return [word for block in range(entry.length) for word in _read(image, entry.block + block)]
 
 
@@ -256,8 +258,3 @@ def _date(date: int) -> str:
     """Return a date as day and month, and the two years that three bits may mean."""
     month, day, year = date >> 8, date >> 3 & 0o37, date & 7
     return f"{month}/{day}/{_YEARS[0] + year} or {_YEARS[1] + year}" if date else ""
-
-
-def _some(entries: Sequence[Entry]) -> str:
-    names = [each.name for each in entries if each.name]
-    return ", ".join(names[:8]) + f" and {len(names) - 8} more" * (len(names) > 8) or "no file"

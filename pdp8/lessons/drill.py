@@ -185,7 +185,8 @@ class Coach:
         if self.begun and not self.done:
             self.seconds += seconds
         self._still += seconds
-        if self.left_alone is not None and self._still >= self.left_alone and self._moved():
+        left_alone = self.left_alone is not None and self._still >= self.left_alone
+        if left_alone and (self.begun or changed(self._cold, self.machine.values())):
             self.again()
             return True
         if not self.done:
@@ -193,10 +194,6 @@ class Coach:
             if step.come is not None and step.come(self.machine):
                 self._go_on(f"right: {step.say}")
         return False
-
-    def _moved(self) -> bool:
-        """Tell whether anything differs from the first state."""
-        return self.begun or bool(changed(self._cold, self.machine.values()))
 
 
 def _switch(found: int, wanted: int) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout, suppress
 from io import TextIOWrapper, UnsupportedOperation
 from types import FrameType
-from typing import BinaryIO, TextIO
+from typing import BinaryIO
 
 import click
 
@@ -177,7 +177,10 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
             ended = command.main(list(arguments), name, standalone_mode=False, help_option_names=_HELP)
         sys.stdout.flush()
     except WorkError as error:
-        _write_or_drop(sys.stdout)
+        try:
+            sys.stdout.flush()
+        except OSError:  # Python's own flush is not to fail again
+            silence(sys.stdout)
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
     except _NoArguments as error:
         return _complain(error.format_message(), error.exit_code)
@@ -228,14 +231,6 @@ def _path(command: click.Command, name: str, arguments: Sequence[str]) -> str:
 def _complain(message: str, status: int) -> int:
     tell(message)
     return status
-
-
-def _write_or_drop(stream: TextIO) -> None:
-    """Flush the stream or discard its rest, so that Python's own flush does not fail again."""
-    try:
-        stream.flush()
-    except OSError:
-        silence(stream)
 
 
 def silence(stream: object) -> None:
