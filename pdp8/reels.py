@@ -201,7 +201,7 @@ def assignment(text: str) -> tuple[str, str]:
 
 
 def _same(before: str, name: str) -> bool:
-    return shelf.identity(shelf.find(before)) == shelf.identity(name)
+    return shelf.has(before) and shelf.identity(shelf.find(before)) == shelf.identity(name)
 
 
 def _free(name: str) -> str:

@@ -1,6 +1,7 @@
 """`pdp8 nc` as a user meets it: its products, its manners, and every bad input in one line."""
 
 import re
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -15,7 +16,7 @@ from nc.plot import plot
 from nc.talysurf import talysurf
 from pdp8.cli.nc import nc
 from tapes.paper import sized
-from tests.conftest import Shell, case
+from tests.conftest import Call, Shell, case
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 
 
@@ -72,6 +73,23 @@ def test_drawings_go_where_they_are_told(shell: Shell) -> None:
     assert done.stdout.startswith(b"<svg")
     assert done.stdout.rstrip().endswith(b"</svg>")
     assert b"worst trough to peak" in done.stderr
+
+
+OF_EXPORT = "--peck .1|--safe .3|--tap .05|--tool-change|--as-1971|--depth|--circle 4,4,1.75|--line 1,1,2,2"
+OF_EXPORT += (
+    "|--ellipse 4,4,2,1|--function x --range 0,1|--profile 1+0*x|--shift 1,1|--cutter .25|--feed-code 2"
+)
+
+
+@pytest.mark.parametrize("option", OF_EXPORT.split("|"))
+def test_an_option_is_for_the_same_format_by_its_name_and_by_an_option(option: str, call: Call) -> None:
+    """Nothing is taken and has no effect: what --dxf refuses is refused for a file.dxf."""
+    for asked, ending in (("--dxf", "dxf"), ("--gcode", "ngc")):
+        Path("holes.eia").write_bytes(tape(*FOUR_HOLES))
+        named, given = (
+            call(f"pdp8 nc export holes.eia {option} {how} -o out.{ending}")[0] for how in ("", asked)
+        )
+        assert (named == 2) == (given == 2), (asked, named, given)
 
 
 def test_what_is_out_of_tolerance_is_said_and_ends_with_1(shell: Shell) -> None:

@@ -9,7 +9,8 @@ import random
 import re
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from hypothesis import given
@@ -159,6 +160,43 @@ def test_of_a_tape_beside_another_is_known_what_is_known_of_it_alone() -> None:
                 for line, text in enumerate(other.tapes[0]):
                     for column in range(len(text)):
                         assert both.hover(tape, line, column) == other.hover(0, line, column)
+
+
+class Asked:
+    """A server without an editor: it keeps the answers to each request."""
+
+    def __init__(self, **texts: str) -> None:
+        self.answers: dict[str, Any] = {}
+        self.workspace = SimpleNamespace(root_path="/tmp")
+        workspace = Workspace("pal3", lambda uri: "")
+        workspace.open = {f"{FOLDER}/{name}.pal": Text(text) for name, text in texts.items()}
+        server.Answers(cast(Any, self), workspace)
+
+    def feature(self, method: str, *_: object) -> Any:
+        return lambda answer: self.answers.update({method: answer})
+
+    command = feature
+
+    def __call__(self, method: str, **given: Any) -> Any:
+        document = lsp.TextDocumentIdentifier(f"{FOLDER}/a.pal")
+        return self.answers[method](SimpleNamespace(text_document=document, **given))
+
+
+def test_what_is_within_a_subroutine_is_below_it_in_the_outline() -> None:
+    """Each tag and value of its lines, the first and the last ones too, and no other."""
+    sources = [shelf.read_bundled(name).decode() for name in shelf.bundled() if name.endswith(".pal")]
+    for text in (*sources, "*200\nX,\tJMS A\n\tHLT\nA,\t0; P=1\nR,\tCLA\nB,\tJMP I A; Q=2\nC,\t5\n$\n"):
+        outline = Asked(a=text)(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+        routines = [each for each in outline if each.kind == lsp.SymbolKind.Function]
+        for each in (each for each in outline if each not in routines):
+            assert not any(
+                of.range.start.line <= each.range.start.line <= of.range.end.line for of in routines
+            )
+        for of in routines:
+            lines = [each.range.start.line for each in of.children]
+            assert all(of.range.start.line <= line <= of.range.end.line for line in lines), of.name
+        names = [each.name for of in outline for each in (of, *(of.children or ()))]
+        assert sorted(names) == sorted(one(text).written(each.name) for each in one(text).definitions)
 
 
 COLUMNS = {

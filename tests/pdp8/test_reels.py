@@ -12,6 +12,7 @@ from pdp8.computer.dectape.tc08 import TC08
 from pdp8.monitor import rack
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
+from pdp8.reels import Discs, Reel
 from tapes import dectape
 from tapes.errors import TapeError, WorkError
 from tests.conftest import Call
@@ -95,6 +96,28 @@ def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor,
     do(monitor, f"detach dt0 {saved}")
     assert dectape.decode(saved.read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
     assert (tmp_path / "reel.tu56").read_bytes() == before
+
+
+def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monitor, tmp_path: Path) -> None:
+    """A reel and the discs; and what is taken off leaves nothing on the next."""
+    do(monitor, "set df enabled")
+    reel, discs = monitor.reels.places["dt0"], monitor.reels.places["df"]
+    assert isinstance(reel, Reel)
+    assert isinstance(discs, Discs)
+    for number in (1, 2):
+        reel.drive.write(5, 7, number)
+        discs.control.words[9] = number
+        for place in (reel, discs):
+            assert place.changed() == 1
+            monitor.reels.save(place.device, str(tmp_path / f"{place.device}-{number}"))
+            assert (place.changed(), monitor.reels.said(place.device)) == (0, "")
+    assert [*monitor.reels.rescue()] == []
+    for name in ("dt0-2", "df-2"):
+        device, _, _ = name.partition("-")
+        do(monitor, f"detach {device}")
+        do(monitor, f"attach {device} {tmp_path / name}")
+        assert monitor.reels.places[device].changed() == 0
+    assert (reel.drive.read(5, 7), discs.control.words[9]) == (2, 2)
 
 
 @pytest.mark.parametrize(("full", "place"), [(0, "reel-changed.tu56"), (1, "tmp/reel-changed.tu56")])

@@ -68,12 +68,14 @@ def test_a_full_directory_and_a_full_tape_are_refused() -> None:
     assert len(os8.directory(image)) > 240
 
 
-def test_a_free_place_in_a_full_segment_is_passed_over() -> None:
+@pytest.mark.parametrize("last_there", [False, True])
+def test_a_free_place_in_a_full_segment_is_passed_over(last_there: bool) -> None:
     """What was deleted left a place, but its segment has no room for another entry."""
     files = [
         word for number in range(41) for word in (0o0101 + number % 26, 0o0101 + number // 26, 0, 0, 0, -1)
     ]
-    image = formatted(-42, BLOCK, 2, 0, -1, 0, -5, *files, then=(-1, BLOCK + 46, 0, 0, -1, 0, -FREE + 46))
+    entries = (*files, 0, -5) if last_there else (0, -5, *files)
+    image = formatted(-42, BLOCK, 2, 0, -1, *entries, then=(-1, BLOCK + 46, 0, 0, -1, 0, -FREE + 46))
     *_, last, free = os8.directory(os8.insert(image, "NEW", [0]))
     assert (last.name, last.block, free.length) == ("NEW", BLOCK + 46, FREE - 47)
 
@@ -126,6 +128,22 @@ def test_a_file_goes_onto_an_image_and_comes_back_by_the_commands(call: Call, tm
     assert (status, "no file NONE.PA; the directory has ADD.PA" in said) == (1, True)
     assert call("pdp8 tape insert with.tu56 add.pa -o again.tu56")[0] == 1
     assert not (tmp_path / "again.tu56").exists()
+
+
+@pytest.mark.parametrize("name", ["a.pa", "A", "b.bn", "B.BN", "c.sv", "C.SV", "d.rl", "d.bns"])
+def test_a_file_is_a_text_a_tape_or_words_by_the_ending_of_its_name(
+    name: str, call: Call, tmp_path: Path
+) -> None:
+    """Of the bytes 101 and 002 a text has the first with channel 8, a tape as it is, words both in one."""
+    (tmp_path / "os8.tu56").write_bytes(empty().content())
+    (tmp_path / name).write_bytes(b"A\x02")
+    assert call(f"pdp8 tape insert os8.tu56 {name} -o with.tu56")[0] == (name == "d.bns")
+    ending = name.upper().partition(".")[2]
+    if ending != "BNS":
+        first = os8.words(dectape.decode((tmp_path / "with.tu56").read_bytes())[0], name)[0]
+        assert first == {"BN": 0o4501, "SV": 0o1101, "RL": 0o1101}.get(ending, 0o4701)
+        assert call(f"pdp8 tape extract with.tu56 {name} -o out")[0] == 0
+        assert (tmp_path / "out").read_bytes()[:2] == b"A\x02"
 
 
 @pytest.mark.skipif("PDP8_OS8" not in os.environ, reason="PDP8_OS8 names no folder with images of OS/8")

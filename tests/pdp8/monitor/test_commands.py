@@ -132,6 +132,12 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: P
     for line in ("set cpu 8k", "set cpu 4k", f"restore {tmp_path}/s"):
         do(monitor, line, "page more")
         assert (said[-1], kept()) == ("", before), line
+    do(monitor, "go 200 3", f"save {tmp_path}/printed")
+    other = Monitor(said.append)
+    other.machine.teletype.printer.frames.extend(b"OTHER")
+    for line in ("page more", f"restore {tmp_path}/printed", "page more"):
+        do(other, line)
+    assert "HELLO, WORLD." in said[-3:]
 
 
 def test_words_of_8k_are_counted_to_its_end() -> None:
