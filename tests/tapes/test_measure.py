@@ -158,8 +158,9 @@ def test_a_part_in_another_code_is_named_and_not_converted(order: tuple[str, str
 def test_blank_tape_inside_a_line_is_named() -> None:
     tape = _PARTS["ASCII"]
     assert "blank" not in dict(measure.report(tape[:27] + bytes(30) + tape[27:])), "between two lines"
-    said = dict(measure.report(tape[:30] + bytes(30) + tape[30:60] + b"\0" + tape[60:]))["blank"]
-    assert said == "30 frames inside a line from frame 30 on, and in 1 other place"
+    for more, others in ((b"", ""), (b"\0", ", and in 1 other place")):
+        said = dict(measure.report(tape[:30] + bytes(30) + tape[30:60] + more + tape[60:]))["blank"]
+        assert said == f"30 frames inside a line from frame 30 on{others}"
 
 
 @pytest.mark.parametrize(("count", "last"), [(10, "frame "), (11, "and 1 more"), (13, "and 3 more")])

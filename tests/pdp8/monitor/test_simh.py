@@ -108,6 +108,13 @@ def test_core_becomes_a_tape() -> None:
     assert {at: monitor.machine.core[at] for at in words} == words
 
 
+def test_a_throttle_is_set_and_taken_off_again() -> None:
+    monitor = Monitor(lambda line: None)
+    for word in ("throttle 1M", "nothrottle", "throttle 100/1", "nothrottle"):
+        do(monitor, f"set {word}")
+        assert monitor.realtime == word.startswith("throttle")
+
+
 def test_a_script_of_simh() -> None:
     """Devices by name, switches, jumps, conditions; RUN is START; what a PDP-8/L has not ends it."""
     said: list[str] = []

@@ -1,5 +1,7 @@
 """The trace follows the listing; breakpoints stop where they should."""
 
+from itertools import pairwise
+
 import pytest
 
 import pal
@@ -27,6 +29,23 @@ def test_an_interrupt_and_a_wait_are_told() -> None:
     turns = int(again.split()[4].replace(",", ""))
     assert again == f"{' ' * 16}  ... the same again: {turns:,} instructions, {turns * 0.0016:,.3f} ms"
     assert len(lines) < 20_000
+
+
+def test_a_line_has_the_time_at_which_its_instruction_or_interrupt_begins() -> None:
+    """TAD I 10, ISZ 11, DCA 20, ION, JMP 200; at 0001 TCF, ION, JMP I 0: by the lines of each cycle."""
+    program = "1410 2011 3020 6001 5200 0/ 0 6042 6001 5400"
+    lines: dict[bool, list[str]] = {False: [], True: []}
+    for cycles, said in lines.items():
+        m = machine(program)
+        m.watch.observer = Trace(said.append, Listing(), cycles=cycles)
+        for _ in range(3):
+            m.teletype.transmitter.flag = 1
+            m.run(instructions=20)
+    begin = [line[:14] for line in lines[True] if "  FETCH" in line or "an interrupt" in line]
+    assert [line[:14] for line in lines[False]] == begin
+    assert sum("an interrupt" in line for line in lines[False]) == 3
+    times = [float(line[:14].replace(",", "")) for line in lines[True]]
+    assert {round(after - before, 2) for before, after in pairwise(times)} <= {1.6, 4.25}
 
 
 def test_a_word_that_is_not_as_assembled_is_disassembled() -> None:
