@@ -1,0 +1,246 @@
+"""What commands are made of, piece by piece: both sides of each limit, and when a note is written."""
+
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import click
+import pytest
+
+from pdp8 import cli, shelf
+from pdp8.cli import check, nc, replay, root, thesis
+from pdp8.cli.assemble import pal
+from pdp8.cli.root import pdp8
+from pdp8.cli.running import feed
+from pdp8.cli.shared import command
+from pdp8.computer.machine import Machine
+from pdp8.replay.figures import COLUMNS
+from tapes.errors import WorkError
+from tests.conftest import Call
+from tests.pdp8.cli.test_files import completed
+
+
+@pytest.mark.parametrize(
+    ("ending", "made"),
+    [
+        *((ending, "G-code") for ending in (".ngc", ".nc", ".gcode", ".tap", ".cnc", ".gc", ".GC")),
+        *((ending, "DXF") for ending in (".dxf", ".DXF")),
+        *((ending, "") for ending in ("", ".g", ".txt", ".ngc.txt")),
+    ],
+)
+def test_the_format_of_an_export_is_that_of_the_files_name(ending: str, made: str) -> None:
+    ctx = click.Context(nc.export, info_name="export")
+    name = f"a{ending}"
+    if not made:
+        with pytest.raises(click.UsageError, match="give --gcode or --dxf"):
+            nc._format(ctx, False, False, name)
+        assert nc._format(ctx, False, True, name) == "DXF"
+        return
+    assert nc._format(ctx, False, False, name) == made
+    assert nc._format(ctx, made == "G-code", made == "DXF", name) == made
+    other = "DXF" if made == "G-code" else "G-code"
+    with pytest.raises(click.UsageError) as raised:
+        nc._format(ctx, made != "G-code", made != "DXF", name)
+    assert raised.value.message == f"{name} is the name of {made}, not of {other}"
+
+
+def test_the_version_says_which_core_runs(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    from pdp8.computer.speed import engine
+
+    for file, form in (("engine.py", "interpreted"), ("engine.so", "compiled")):
+        monkeypatch.setattr(engine, "__file__", file)
+        status, shown, said = call("pdp8 --version")
+        assert (status, said) == (0, "")
+        assert shown.endswith(f", {form} core: {file}\n")
+        assert shown.startswith("pdp8, version ")
+
+
+def test_the_figures_of_a_replay_are_a_table(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines = [("length", "1", "2", "same"), ("depth", "3", "4", "other")]
+    monkeypatch.setattr("pdp8.replay.figures.compare", lambda afternoon: lines)
+    for aside in (False, True):
+        replay._show(SimpleNamespace(part="circle"), aside)  # type: ignore[arg-type]
+        streams = capsys.readouterr()
+        shown, nothing = (streams.err, streams.out) if aside else (streams.out, streams.err)
+        assert "circle: thesis beside replay" in shown
+        assert [word for word in (*COLUMNS, *lines[0], *lines[1]) if word not in shown] == []
+        assert nothing == ""
+
+
+@pytest.mark.parametrize(("number", "named"), [(1, "0"), (6, "0, 1, 2, 3, 4, 5"), (7, "7 files")])
+def test_files_in_a_folder_are_named_or_counted(
+    number: int, named: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with click.Context(pal):
+        for again in ("", f"; {number} replaced"):
+            command.put_all(str(tmp_path / "of"), ((str(each), b"x") for each in range(number)))
+            assert capsys.readouterr().err == f"wrote {named} in {tmp_path / 'of'}{again}\n"
+        command.put_all(str(tmp_path / "none"), [])
+    assert capsys.readouterr().err == ""
+
+
+def test_what_was_written_before_a_failure_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "b").mkdir()
+    with click.Context(pal), pytest.raises(shelf.ShelfError):
+        command.put_all(str(tmp_path), [("a", b""), ("b", b""), ("c", b"")])
+    assert capsys.readouterr().err == f"wrote a in {tmp_path}\n"
+
+
+def test_a_name_in_a_folder_is_left_to_the_shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "eia-of").mkdir()
+    assert completed(pdp8, ["run"], "eia-of/") == [("eia-of/", "file")]
+    assert completed(pdp8, ["run"], "./eia") == [("./eia", "file")]
+    assert completed(pdp8, ["run"], "eia-") == [("eia-", "file")], "it begins no bundled name"
+    names = completed(pdp8, ["run"], "eia")
+    assert ("eia-of/", "plain") in names
+    assert names == sorted(names)
+
+
+def test_which_tapes_are_read_as_pipes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "tape").write_bytes(b"x")
+    assert feed._pipe(str(tmp_path / "tape")) == -1
+    assert feed._pipe(str(tmp_path)) == -1
+    with pytest.raises(shelf.ShelfError):
+        feed._pipe(str(tmp_path / "none"))
+    with open(tmp_path / "tape") as file:
+        monkeypatch.setattr(sys, "stdin", file)
+        assert feed._pipe("-") == -1
+    if sys.platform == "win32":
+        return
+    reading, writing = os.pipe()
+    with open(reading) as file:
+        monkeypatch.setattr(sys, "stdin", file)
+        assert feed._pipe("-") == reading
+    os.close(writing)
+
+
+def test_tapes_are_put_in_one_after_another(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It says which, how many frames were read before, and what is left; quiet it says nothing."""
+    for name, frames in (("a", b"ab"), ("b", b"c"), ("c", b"")):
+        (tmp_path / name).write_bytes(frames)
+    for quiet in (False, True):
+        reader = Machine().teletype.reader
+        fed = feed.Feed(reader, [str(tmp_path / name) for name in "abc"], quiet)
+        with click.Context(pal, info_name="pal"):
+            assert fed.left.count(",") == 2
+            assert fed.next_tape()
+            assert (reader.tape, fed.read, fed.idle()) == (b"ab", 0, False)
+            reader.position = 2
+            assert fed.announce_next()
+            assert (reader.tape, fed.read, fed.left) == (b"c", 2, str(tmp_path / "c"))
+            reader.position = 1
+            assert fed.announce_next()
+            assert fed.read == 3
+            assert not fed.announce_next()
+            assert (fed.next_tape(), fed.left) == (False, "")
+        said = capsys.readouterr().err
+        assert said.count("goes into the reader after 2 frames") == (not quiet)
+        assert said.count("goes into the reader after 3 frames") == (not quiet)
+        assert (said == "") == quiet
+
+
+def test_a_group_suggests_names_that_are_much_alike(call: Call) -> None:
+    assert "there is no command 'tapes'; did you mean tape?" in call("pdp8 tapes")[2]
+    status, _, said = call("pdp8 qqqq")
+    assert (status, "did you mean" in said) == (2, False)
+    assert command._path(root.pdp8, "pdp8", ["tape", "show", "x"]) == "pdp8 tape show"
+    assert command._path(root.pdp8, "pdp8", ["--help", "tape"]) == "pdp8"
+    assert command._path(root.pdp8, "pdp8", []) == "pdp8"
+
+
+@pytest.mark.parametrize(
+    ("optimize", "words", "restarted"),
+    [(0, ["-OO"], None), (1, ["-O"], None), (2, ["-OO", "-m", "pdp8"], ["-m", "pdp8"]), (2, ["x"], ["x"])],
+)
+def test_python_without_docstrings_starts_again_with_them(
+    optimize: int, words: list[str], restarted: list[str] | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started = []
+    monkeypatch.setenv("PYTHONOPTIMIZE", "2")
+    monkeypatch.setattr(sys, "flags", SimpleNamespace(optimize=optimize))
+    monkeypatch.setattr(sys, "orig_argv", ["python", *words])
+    monkeypatch.setattr(os, "execv", lambda *of: started.append(of))
+    cli._keep_docstrings()
+    assert started == ([] if restarted is None else [(sys.executable, [sys.executable, *restarted])])
+    assert os.environ["PYTHONOPTIMIZE"] == ("2" if restarted is None else "1")
+
+
+def test_where_conjectures_are_on_pictures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only on the picture of their page; by rows of pixels, by about which, or on the whole page."""
+    found = {"a": (3, 9, True), "b": (4, 8, False), "c": None, "d": (0, 1, True)}
+    pages = {"a": "12", "b": "12", "c": "12", "d": "13"}
+    known = {name: SimpleNamespace(name=name, page=page) for name, page in pages.items()}
+    monkeypatch.setattr("pdp8.thesis.collate.conjectures", lambda: known)
+    monkeypatch.setattr("pdp8.cli.shared.extras.need", lambda *of: None)
+    fake = SimpleNamespace(find=lambda each, picture: found[each.name])
+    monkeypatch.setitem(sys.modules, "pdp8.thesis.pages", fake)
+    monkeypatch.setattr("pdp8.thesis.pages", fake, raising=False)
+    for name in ("scan-012.png", "12.jpg", "x.png"):
+        (tmp_path / name).touch()
+    assert thesis._places(str(tmp_path)) == {
+        "a": "; scan-012.png: rows 3 to 9 of pixels",
+        "b": "; scan-012.png: by its number among the lines, about rows 4 to 8 of pixels",
+        "c": "; scan-012.png: the whole page",
+    }
+
+
+@pytest.mark.parametrize(
+    ("marks", "restated", "slips", "said"),
+    [
+        ([], [], (0, 0, []), "e: the solution has 5 points\n"),
+        (
+            [("m", False)],
+            [("w", True)],
+            (0, 0, []),
+            "e: the solution has 5 points; 1 way to write it, all right; 1 mistake, all noticed\n",
+        ),
+        (
+            [],
+            [],
+            (3, 9, ["s"]),
+            "e: the solution has 5 points\n3 of 9 slips tried, 2 noticed; these seem right:\n  s\n",
+        ),
+        (
+            [("m", True)],
+            [("w", False)],
+            (0, 0, []),
+            "e: accepted as right: m\ne: the solution, w, loses points",
+        ),
+    ],
+)
+def test_what_a_proof_of_an_exercise_says(
+    marks: list[tuple[str, bool]],
+    restated: list[tuple[str, bool]],
+    slips: tuple[int, int, list[str]],
+    said: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def results(of: list[tuple[str, bool]]) -> list[tuple[str, SimpleNamespace]]:
+        return [(name, SimpleNamespace(right=right)) for name, right in of]
+
+    tried = SimpleNamespace(tried=slips[0], number=slips[1], survivors=slips[2], lucky=[])
+    fake = {
+        "solution": lambda exercise: SimpleNamespace(right=True, of=5),
+        "mistakes": lambda exercise: results(marks),
+        "restated": lambda exercise: results(restated),
+        "slips": lambda read, seed: tried,
+        "untold": lambda exercise: [],
+    }
+    for name, instead in fake.items():
+        monkeypatch.setattr(f"pdp8.lessons.proof.{name}", instead)
+    exercise: Any = SimpleNamespace(name="e")
+    if said.endswith("\n"):
+        check._prove(exercise, "e", 0)
+        assert capsys.readouterr().out == said
+        return
+    with pytest.raises(WorkError) as raised:
+        check._prove(exercise, "e", 0)
+    assert str(raised.value) == said
