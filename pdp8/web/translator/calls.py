@@ -191,7 +191,7 @@ class Calls(Expressions):
             if not before or (before.ours and not before.is_module):
                 self.attributed(node.func)
                 receiver = self.known(node.func.value)
-        if found.is_class and not self.program.variants(found):
+        if found.is_class:
             if len(node.args) > 1 or node.keywords:
                 self.fail(node, "an error of several arguments", "one text")
             if any(self.infer(each) != STR for each in node.args):
@@ -270,7 +270,7 @@ class Calls(Expressions):
             missing = len(places) - len(values)
             rest_of_all = ", ".join(values[len(places) :])
             values = [*values[: len(places)], *["undefined"] * missing, f"[{rest_of_all}]"]
-            names.append("*")
+            names.append(rest["*"])
         elif parameters is not None and "*" not in rest and len(values) > len(places):
             self.fail(node, "too many arguments")
         elif node.keywords and starred:

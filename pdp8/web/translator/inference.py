@@ -525,11 +525,11 @@ class Types:
     def _called(self, node: ast.Call) -> Type:
         """Return the type of what a call returns."""
         found, name = self.found(node.func), leaf(node.func)
-        if found and found.is_class and (found.ours or not self.program.variants(found)):
+        if found and found.is_class:
             for value, parameter in self.paired(found, node) or []:
                 self.expect(value, self.annotated(parameter.annotation, parameter.module))
             return found.kind
-        if found and (found.is_function or found.is_class):
+        if found and found.is_function:
             receiver = None
             if isinstance(node.func, ast.Attribute):
                 receiver = without_none(self.infer(node.func.value))

@@ -50,7 +50,7 @@ def row(of: Sequence[Place], more: set[str], dots: tuple[int, ...]) -> tuple[Pla
 def all_kinds(
     a: bytearray, b: array, c: SupportsInt, d: bool, e: range, f: re.Pattern[str], g: Iterable[int],
     h: Collection[int], i: object, j: list[int | None], k: "Callable[[], Machine]", new: int = 1, *rest: int,
-    at: int = 2, **more: float,
+    at: int = 2, sized: Sized | None = None, **more: float,
 ) -> NoReturn:
     raise Wrong
 
@@ -94,6 +94,7 @@ class Later(Machine):
     def left_out(self) -> None: ...
 
 EMPTY = []
+HALF = 0.5
 WHOLE = {}.keys()
 
 def _own(a: int) -> Mapping[str, bytes]:
@@ -129,7 +130,8 @@ pairs(): Generator<[number, string]>;
 export function row(of: $.Sequence<Place>, more: $.PySet<string>, dots: (number)[]): (Place)[];
 export function all_kinds(a: $.ByteArray, b: $.Words, c: number, d: boolean, e: $.Sequence<number>,\
  f: RegExp, g: Iterable<number>, h: Iterable<number>, i: unknown, j: (number | null)[], k: (() => Machine),\
- new$: number | undefined, rest: (number)[], at: number | undefined, more: $.Dict<string, number>): never;
+ new$: number | undefined, rest: (number)[], at: number | undefined, sized: { length: number } | null | undefined,\
+ more: $.Dict<string, number>): never;
 export type Code = number;
 export const Code: Iterable<number> & { readonly [name in "MILL" | "READ"]: number };
 export type Colour = string;
@@ -150,6 +152,7 @@ static made(): Later;
 at: number;
 }
 export const EMPTY: (never)[];
+export const HALF: number;
 export const WHOLE: $.View<never>;
 export function _own(a: number): $.Dict<string, $.Bytes>;
 export {};
