@@ -10,7 +10,7 @@ import click
 import pytest
 
 from pdp8 import cli, shelf
-from pdp8.cli import check, nc, replay, root, thesis
+from pdp8.cli import assemble, check, nc, replay, root, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed
@@ -244,3 +244,24 @@ def test_what_a_proof_of_an_exercise_says(
     with pytest.raises(WorkError) as raised:
         check._prove(exercise, "e", 0)
     assert str(raised.value) == said
+
+
+@pytest.mark.parametrize(
+    ("line", "read"),
+    [
+        *(("A 1", {"A": 1}), ("ABCDE9\t17777", {"ABCDE9": 0o17777}), (" A  07 ", {"A": 7}), ("", {})),
+        *(
+            (line, None)
+            for line in ("A", "A 8", "A 177777", "ABCDEFG 1", "1A 1", "a 1", "A 1 2", "A1", "A -1")
+        ),
+    ],
+)
+def test_a_line_of_a_symbol_table(line: str, read: dict[str, int] | None, tmp_path: Path) -> None:
+    (tmp_path / "s").write_text(f"START 0200\n{line}\n")
+    name = str(tmp_path / "s")
+    if read is not None:
+        assert assemble._symbols(name) == {"START": 0o200} | read
+        return
+    with pytest.raises(WorkError) as raised:
+        assemble._symbols(name)
+    assert str(raised.value) == f"{name}: line 2: {line!r} is no name with an octal number"
