@@ -1,6 +1,7 @@
 """What commands are made of, piece by piece: both sides of each limit, and when a note is written."""
 
 import os
+import re
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -9,12 +10,13 @@ from typing import Any
 import click
 import pytest
 
+from pal.assembly import MOST
 from pdp8 import cli, shelf
-from pdp8.cli import assemble, check, nc, replay, root, thesis
+from pdp8.cli import assemble, check, nc, replay, root, tape, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed
-from pdp8.cli.shared import command
+from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
 from pdp8.replay.figures import COLUMNS
 from tapes.errors import WorkError
@@ -265,3 +267,95 @@ def test_a_line_of_a_symbol_table(line: str, read: dict[str, int] | None, tmp_pa
     with pytest.raises(WorkError) as raised:
         assemble._symbols(name)
     assert str(raised.value) == f"{name}: line 2: {line!r} is no name with an octal number"
+
+
+@pytest.mark.parametrize(
+    ("number", "line", "more"),
+    [
+        (MOST, "5 + 3", ""),
+        (MOST + 1, "5 + 3", "and 1 more note\n"),
+        (MOST, "JMP 600", ""),
+        (MOST + 2, "JMP 600", "and 2 more errors\n"),
+        (MOST + 2, "CLA!", "and 2 more errors, 1 more note\n"),
+    ],
+)
+def test_so_many_diagnostics_are_written(number: int, line: str, more: str, call: Call) -> None:
+    said = call("pal - --check --dialect pal3", ("*200\n" + f"\t{line}\n" * number + "$\n").encode())[2]
+    assert ("\nand " in said) == bool(more)
+    assert more in said
+
+
+def test_cards_are_named(call: Call) -> None:
+    status, _, said = call("pdp8 cards")
+    assert status == 2
+    assert re.search(r"Give a card's name: \w.*, afternoon, or all\.", said)
+    assert call("pdp8 cards rim --out of") == (0, "", "wrote rim.svg in of\n")
+
+
+def test_frames_are_mended_within_the_tape() -> None:
+    def read(text: str) -> dict[int, int]:
+        return tape._frames_and_values(None, None, text)  # type: ignore[arg-type]
+
+    assert read("") == {}
+    assert read("0=377,12=0,") == {0: 0o377, 12: 0}
+    for wrong in ("x", "0=400", "-1=0", "0", "0=8", "1=2=3", "=1", "0=-1"):
+        with pytest.raises(click.BadParameter, match="is not FRAME=OCTAL"):
+            read(f"0=1,{wrong}")
+    assert tape._mended(b"ab", {1: 5}) == b"a\x05"
+    with pytest.raises(click.UsageError) as raised:
+        tape._mended(b"ab", {2: 5})
+    assert raised.value.message == "--mend 2: the last frame is 1"
+
+
+def test_seconds_of_this_computer_are_between_two_limits() -> None:
+    assert [parameters.processor_seconds(text) for text in ("0.1", "3600", "5")] == [0.1, 3600.0, 5.0]
+    for text in ("0.0999", "3600.1", "nan", "-1"):
+        with pytest.raises(click.BadParameter, match=r"is not between 0\.1 and 3600 seconds"):
+            parameters.processor_seconds(text)
+    with pytest.raises(click.BadParameter, match="'x' is not a number of seconds"):
+        parameters.processor_seconds("x")
+
+
+def test_gradescope_takes_one_answer(call: Call, tmp_path: Path) -> None:
+    for name in "ab":
+        (tmp_path / f"{name}.pal").write_text("*200\n\tHLT\n$\n")
+    status, _, said = call("pdp8 check add a.pal b.pal --gradescope out.json")
+    assert status == 2
+    assert "--gradescope is for one ANSWER, not 2." in said
+    assert call("pdp8 check add a.pal --gradescope out.json")[0] < 2
+    assert (tmp_path / "out.json").exists()
+
+
+def test_a_start_where_no_word_is_is_said(call: Call, tmp_path: Path) -> None:
+    assert call("pal - -o a.bin", b"*200\n\tCLA\n\tHLT\n$\n")[0] == 0
+    said = call("pdp8 run a.bin --start 300 --max-time 1")[2]
+    assert "no word at 0300, where it is started; it has 0200" in said
+    assert "and --start says where to begin" in said
+    for line in ("pdp8 run a.bin", "pdp8 run a.bin --start 201", "pdp8 run a.bin --start 300 --quiet"):
+        assert "no word at" not in call(f"{line} --max-time 1")[2]
+
+
+def test_the_nominal_curve_beside_a_tape_replaces_no_other_file(call: Call, tmp_path: Path) -> None:
+    first = call("pdp8 part circle -o c.asc")[2]
+    [name] = [each.name for each in tmp_path.iterdir() if each.name != "c.asc"]
+    assert f"wrote {name}" in first
+    again = call("pdp8 part circle -o c.asc")[2]
+    assert "is kept" not in again
+    (tmp_path / "c.asc").unlink()
+    kept = call("pdp8 part circle -o c.asc --no-clobber")
+    assert kept[0] == 0
+    assert f"{name} is there already, and is kept for --no-clobber" in kept[2]
+    (tmp_path / name).write_text("mine")
+    other = call("pdp8 part circle -o c.asc")
+    assert other[0] == 0
+    assert f"{name} is there, and is no nominal curve: it is kept" in other[2]
+    assert (tmp_path / name).read_text() == "mine"
+
+
+def test_a_tolerance_needs_a_curve_that_is_known(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "x.eia").write_bytes(shelf.read_bundled("ellipse.eia"))
+    status, _, said = call("pdp8 nc inspect x.eia --tolerance .005")
+    assert status == 2
+    assert "--tolerance needs the nominal curve, and none is known of x.eia: name it by --circle" in said
+    assert "Its path follows this: " in said
+    assert "needs the nominal curve" not in call("pdp8 nc inspect x.eia")[2]

@@ -130,8 +130,8 @@ pairs(): Generator<[number, string]>;
 export function row(of: $.Sequence<Place>, more: $.PySet<string>, dots: (number)[]): (Place)[];
 export function all_kinds(a: $.ByteArray, b: $.Words, c: number, d: boolean, e: $.Sequence<number>,\
  f: RegExp, g: Iterable<number>, h: Iterable<number>, i: unknown, j: (number | null)[], k: (() => Machine),\
- new$: number | undefined, rest: (number)[], at: number | undefined, sized: { length: number } | null | undefined,\
- more: $.Dict<string, number>): never;
+ new$: number | undefined, rest: (number)[], at: number | undefined,\
+ sized: { length: number } | null | undefined, more: $.Dict<string, number>): never;
 export type Code = number;
 export const Code: Iterable<number> & { readonly [name in "MILL" | "READ"]: number };
 export type Colour = string;
