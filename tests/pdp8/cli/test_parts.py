@@ -274,8 +274,9 @@ def test_a_line_of_a_symbol_table(line: str, read: dict[str, int] | None, tmp_pa
     [
         (MOST, "5 + 3", ""),
         (MOST + 1, "5 + 3", "and 1 more note\n"),
-        (MOST, "JMP 600", ""),
-        (MOST + 2, "JMP 600", "and 2 more errors\n"),
+        (MOST - 1, "JMP 600", ""),  # it has a note too
+        (MOST, "JMP 600", "and 1 more note\n"),
+        (MOST + 2, "JMP 600", "and 2 more errors, 1 more note\n"),
         (MOST + 2, "CLA!", "and 2 more errors, 1 more note\n"),
     ],
 )
