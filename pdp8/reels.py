@@ -30,7 +30,8 @@ class Reel:
     missing = "no tape is mounted; attach dtN FILE mounts one"
 
     def __init__(self, number: int) -> None:
-        self.device, self.place = f"dt{number}", f"drive {number}"
+        self.device = self.called = f"dt{number}"
+        self.place = f"drive {number}"
         self.file = ""
         self.drive = Transport()
         self.bootstrap = bootstrap.bootstrap(number)
@@ -76,6 +77,7 @@ class Discs:
     """The discs of a DF32: the file they were filled from, "" without a DF32, and how much was changed."""
 
     device = place = "df"
+    called = "the DF32"
     unit = "words"
     locked = False
     missing = "no DF32 is fitted; attach df FILE fits it"

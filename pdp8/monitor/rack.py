@@ -75,8 +75,8 @@ def attach(monitor: Monitor, device: str, name: str, locked: bool = False) -> No
         fit(monitor, kind)
     for note in monitor.reels.mount(device, name, locked):
         monitor.say(f"{name}: {note}")
-    where = "the DF32" if kind == "df" else f"{device}{', locked' if locked else ''}"
-    monitor.say(f"{name} is on {where}; the file itself is not written")
+    place = monitor.reels.places[device]
+    monitor.say(f"{name} is on {place.called}{', locked' * place.locked}; the file itself is not written")
 
 
 def detach(monitor: Monitor, device: str, where: str) -> None:

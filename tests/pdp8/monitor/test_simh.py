@@ -162,7 +162,7 @@ def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
         "d 300 0301 0007",
     )
     do(monitor, "d 7750 7777 0277", "go 200", "wait 1", "show", "detach lpt")
-    assert said[-2:] == ["df   discs, changed", "wrote text"]
+    assert said[-2:] == ["df   discs, 1 word written", "wrote text"]
     assert Path("text").read_text() == "A"
     with pytest.raises(MonitorError, match="df: 1 word of discs changed; detach df FILE saves them"):
         do(monitor, "detach df")
