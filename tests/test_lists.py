@@ -78,6 +78,13 @@ def test_a_list_that_is_shown_whole_has_no_more(said: Callable[[int], str]) -> N
             assert more <= 0 or f"and {more} more" in said(number)
 
 
+def test_eight_mends_are_proposed_at_most() -> None:
+    for number in (1, 8, 9):
+        with case(number):
+            mends = of_doubts(number).partition("--mend ")[2].partition(" ")[0]
+            assert len(mends.split(",")) == min(number, 8)
+
+
 @pytest.mark.parametrize("number", [5, 6])
 def test_doubts_that_are_accepted_are_said_as_far_as_five(number: int, call: Call) -> None:
     Path("x").write_bytes(doubtful(number))

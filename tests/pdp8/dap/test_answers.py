@@ -17,6 +17,7 @@ from pdp8.computer.hardware.signals import AT_ONCE, NEVER
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls, expressions, requests, scopes, wire
 from pdp8.dap.breakpoints import ADDRESSES, LINES, Breakpoints, Point
+from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.prompt import Monitor
@@ -179,6 +180,16 @@ def test_what_a_command_at_the_console_says_is_said_once(program: str) -> None:
     noted = "".join(each["body"]["output"] for each in heard if each.get("event") == "output")
     assert (len(answers), all(answers)) == (len(lines), True)
     assert not [line for answer in answers for line in answer.splitlines() if line in noted]
+
+
+def test_a_tape_is_written_at_each_stop_and_said_once(program: str, tmp_path: Path) -> None:
+    tape = tmp_path / "out.tape"
+    debuggee = Debuggee(Launch.of({"program": program, "punch": str(tape)}), Breakpoints())
+    for frames in (b"", b"A", b"AB", b"AB", b"ABC"):
+        debuggee.monitor.machine.teletype.punch.frames[:] = frames
+        debuggee.take_off()
+        assert (tape.read_bytes() if tape.exists() else b"") == frames
+    assert debuggee.notes() == f"wrote {tape}\n"
 
 
 def test_a_breakpoint_goes_with_its_line_through_each_edit(program: str) -> None:

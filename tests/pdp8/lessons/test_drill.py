@@ -122,6 +122,21 @@ def test_a_chain_of_addresses_is_in_core_again_and_again() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_again_is_as_a_coach_that_nobody_had(name: str) -> None:
+    """After wrong keys, some right ones, and time."""
+    session, coach = room(name)
+    fresh = {key: value for key, value in vars(coach).items() if key != "machine"}
+    core = session.machine.values()
+    for key in ("cont", "exam", "load_add", "dep"):
+        press(session, coach, key, 0o1234)
+        advance(session, coach, 1)
+    assert (coach.wrong > 0, coach.seconds > 0) == (True, True)
+    coach.again()
+    assert {key: value for key, value in vars(coach).items() if key != "machine"} == fresh
+    assert session.machine.values() == core
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_a_kiosk_that_is_left_alone_is_as_it_was_for_the_next(name: str) -> None:
     session, coach = room(name, LEFT_ALONE)
     session.mount(session.tapes[0])

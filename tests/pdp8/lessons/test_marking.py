@@ -43,6 +43,14 @@ def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
     )
 
 
+def test_the_start_that_failed_and_its_inputs_are_told() -> None:
+    for inputs, told in (("sr=5", "start 2, switches 0005"), ("", "start 2")):
+        (found,) = mark(exercise(f"ac=1\n[[case.again]]\nac=3\n{inputs}"), IAC).marks
+        assert found.inputs == told
+    (found,) = mark(exercise("ac=3\nsr=5"), IAC).marks
+    assert found.inputs == "", "a case of one START says its own"
+
+
 TAPE = pal.assemble(IAC).tape
 NO_SOURCE = "this exercise looks at the source: hand in PAL, not a tape"
 

@@ -89,6 +89,15 @@ def test_keys_alone_are_texts_and_codes(monitor: Monitor) -> None:
         do(monitor, "type \uf800")
 
 
+def test_return_is_pressed_only_if_it_is_asked_for(monitor: Monitor, said: list[str]) -> None:
+    """KSF, JMP .-1, KRB, HLT: after one key the machine is stopped."""
+    for loops, waiting in (("7402", b""), ("5200", b"\x8d")):
+        do(monitor, f"deposit 200 6031 5200 6036 {loops}", "go 200 0.1", "type A")
+        assert any("RETURN was not pressed" in line for line in said) == (not waiting)
+        assert monitor.machine.teletype.keyboard.waiting == waiting
+        said.clear()
+
+
 def test_keys_come_after_what_is_on_the_tape(monitor: Monitor) -> None:
     start(monitor, LISTEN)
     monitor.machine.teletype.reader.load(b"\1\2\3")
