@@ -5,6 +5,7 @@ import shlex
 from collections.abc import Callable
 from contextlib import nullcontext
 from math import nan
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -186,6 +187,28 @@ def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
     assert lines[1] == "  587  5876 6404 2647  585  5876 6404 2646  585"
     assert len(lines) == 11
     assert lines[-1] == "ellipse: 976 blocks exact, 976 ge635, 9 differ"
+
+
+def test_the_nominal_curve_is_put_beside_a_tape_and_kept_if_asked(call: Call) -> None:
+    beside = Path("c.json")
+    for line, wrote in (("--no-clobber", ["wrote c.asc", "wrote c.json"]), ("", ["replaced c.asc"])):
+        said = call(f"pdp8 part circle {line} -o c.asc")[2]
+        assert [each for each in wrote if each not in said] == []
+    before = beside.read_bytes()
+    Path("c.asc").unlink()
+    said = call("pdp8 part circle --radius 1 --no-clobber -o c.asc")[2]
+    assert ("c.json is there already, and is kept" in said, beside.read_bytes()) == (True, before)
+    call("pdp8 part circle --radius 1 -o c.asc")
+    assert beside.read_bytes() != before
+    beside.write_bytes(b"mine")
+    said = call("pdp8 part circle -o c.asc")[2]
+    assert ("is no nominal curve: it is kept" in said, beside.read_bytes()) == (True, b"mine")
+
+
+def test_a_name_with_a_point_is_a_file_and_a_word_is_not(call: Call) -> None:
+    for given, is_file in (("none.csv", True), ("none", False), ("2.5*none", False), ("sin(x", False)):
+        said = call(f"pdp8 part profile '{given}'")[2]
+        assert ("there is no such file" in said) == is_file, given
 
 
 def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:

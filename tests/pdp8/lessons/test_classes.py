@@ -393,6 +393,17 @@ def test_gradescope_gets_each_case_and_no_figure_of_a_hidden_one() -> None:
     assert json.loads(records.as_gradescope(given, mark(given, b"")))["output"] == "an empty file"
 
 
+def test_answers_of_one_name_have_a_page_each(call: Call, tmp_path: Path) -> None:
+    for folder in "abc":
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "same.pal").write_text(f"*200\n\tJMP Q{folder}\n$\n")
+    call("pdp8 check add a/same.pal b/same.pal c/same.pal --pages pages")
+    pages = {path.name: path.read_text() for path in (tmp_path / "pages").iterdir()}
+    names = ["same.html", "same-2.html", "same-3.html"]
+    assert [f"JMP Q{folder}" in pages[name] for folder, name in zip("abc", names, strict=True)] == [True] * 3
+    assert len(pages) == 3
+
+
 def test_each_name_has_cases_of_its_own(call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The seed that is listed marks an answer as it was marked in the class."""
     monkeypatch.chdir(tmp_path)

@@ -115,6 +115,18 @@ def test_a_throttle_is_set_and_taken_off_again() -> None:
         assert monitor.realtime == word.startswith("throttle")
 
 
+def test_a_script_asks_for_files_and_ends_with_quit() -> None:
+    """By names in quotes too; after it nothing is carried out, nor in the script that called it."""
+    said: list[str] = []
+    Path("a file").write_text("")
+    Path("inner").write_text('if exist "a file" echo 1\nif not exist "a file" echo no\nquit\necho no\n')
+    outer = 'if exist "none" echo no\nif not exist "none" echo 0\nif exist inner do inner\necho no\n'
+    Path("outer").write_text(outer)
+    monitor = Monitor(said.append)
+    do(monitor, "do outer")
+    assert ([line for line in said if len(line) < 3], monitor.finished) == (["0", "1"], True)
+
+
 def test_a_script_of_simh() -> None:
     """Devices by name, switches, jumps, conditions; RUN is START; what a PDP-8/L has not ends it."""
     said: list[str] = []

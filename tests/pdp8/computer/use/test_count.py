@@ -52,6 +52,19 @@ def test_a_wait_in_another_field_is_counted_where_it_is() -> None:
     assert counts[0][0o203] > 1000
 
 
+def test_what_a_wait_writes_is_counted_each_time_that_it_is_executed() -> None:
+    """DCA 220, ISZ 221, SKP, NOP, KSF, JMP 200; and DCA 220, KSF, JMP 200, which is passed over; HLT."""
+    for words, waits in (("3220 2221 7410 7000 6031 5200 7402", False), ("3220 6031 5200 7402", True)):
+        m = machine(words)
+        m.teletype.keyboard.press(b"A")
+        with m.count() as count:
+            m.run()
+        assert (count.waiting > 0) == waits
+        assert count.executed[0o200] > 1000
+        assert count.written[0o220] == count.executed[0o200]
+        assert count.instructions == count.executed.total()
+
+
 def test_the_run_command_counts(shell: Shell, tmp_path: Path) -> None:
     (tmp_path / "in.asc").write_bytes(ascii.encode("7\n"))
     done = shell("pdp8 run eia.pal --annotate a --reader in.asc --punch out --quiet")
