@@ -47,7 +47,7 @@ function objects(found) {
   for (const [name, value] of machine.values().items()) if (!UNSTEADY.test(name)) found[`machine ${name}`] = plain(value);
   const { breakpoints, observer } = machine.watch;
   const of = { led: afternoon.on, playing: afternoon.playing, act: afternoon.on && afternoon.script.act.name, speed: clock.speed, moves: clock.pictures.running, breakpoints: [...breakpoints].sort().join(), counted: observer !== null,
-    until: until.constructor.name, lever: teletype.leverWaits, code: teletype.code.name, sound: sound.on, own: room.own !== null, turn: room.tour?.turn, live: room.live, plays: room.playing, program: editor.name };
+    until: until.constructor.name, lever: teletype.leverWaits, code: teletype.code.name, sound: sound.on, own: room.own !== null, turn: room.tour?.turn, live: room.live, plays: room.playing, paper: room.page.paper.lines.join(" "), program: editor.name };
   for (const [name, value] of Object.entries(of)) found[`.${name}`] = String(value);
 }
 
@@ -78,6 +78,12 @@ function differing(before, now) {
     changed.set(owner, [...(changed.get(owner) ?? []), name in now ? `${name} ${short(now[name])}` : `no ${name}`]);
   }
   return [...changed.values()].map((notes) => (notes.length > MANY ? `${notes[0]} and ${notes.length - 1} ${digest(notes.join("\n"))}` : notes.join("; "))).join("; ");
+}
+
+/** A digest of what is drawn on canvases while `act` is done, wherever and however often. */
+export async function drawn(act) {
+  const lines = await globalThis.dom.drawn(act);
+  return digest([...new Set(lines.filter((line) => !/ransform|^drawImage|^translate/.test(line)))].sort().join("\n"));
 }
 
 /** Whether something that was begun goes on of itself. */
