@@ -360,3 +360,12 @@ def test_a_tolerance_needs_a_curve_that_is_known(call: Call, tmp_path: Path) -> 
     assert "--tolerance needs the nominal curve, and none is known of x.eia: name it by --circle" in said
     assert "Its path follows this: " in said
     assert "needs the nominal curve" not in call("pdp8 nc inspect x.eia")[2]
+
+
+def test_what_is_no_program_is_not_disassembled(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "a.dsk").write_bytes(bytes(2 * 129 * 1474))
+    status, _, said = call("pdp8 dis a.dsk")
+    assert status == 1
+    assert ", not a tape in BIN or RIM" in said
+    assert "a tape in EIA, not in BIN or RIM" in call("pdp8 dis circle.eia")[2]
+    assert call("pdp8 dis eia.bin")[0] == 0

@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from pdp8.web.translator import COMPILED, MODULES, OMITTED, TRUSTED
+from pdp8.web.translator import COMPILED, MODULES, OMITTED, TRUSTED, _all
 from tests.pdp8.computer.speed import forms
 
 
@@ -19,6 +19,11 @@ def test_each_name_is_defined_in_its_module(names: dict[str, str]) -> None:
 def test_what_is_unchecked_is_compiled_too() -> None:
     assert COMPILED - {*forms.COMPILED} == {"pdp8.computer.speed.piece"}  # with the engine
     assert all(map(_is_translated, COMPILED))
+
+
+def test_all_modules_of_a_package_are_those_beside_its_init() -> None:
+    found = {path.stem for path in forms.beside("pdp8.computer.dectape", "").glob("*.py")}
+    assert {*_all("pdp8.computer.dectape")} == found - {"__init__"}
 
 
 def _is_translated(module: str) -> bool:
