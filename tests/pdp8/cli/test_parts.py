@@ -12,7 +12,7 @@ import pytest
 
 from pal.assembly import MOST
 from pdp8 import cli, shelf
-from pdp8.cli import assemble, check, nc, replay, root, tape, thesis
+from pdp8.cli import assemble, check, nc, nc_options, replay, root, tape, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed
@@ -369,3 +369,23 @@ def test_what_is_no_program_is_not_disassembled(call: Call, tmp_path: Path) -> N
     assert ", not a tape in BIN or RIM" in said
     assert "a tape in EIA, not in BIN or RIM" in call("pdp8 dis circle.eia")[2]
     assert call("pdp8 dis eia.bin")[0] == 0
+
+
+def test_numbers_are_as_many_as_are_asked_for_and_lengths_in_their_unit() -> None:
+    ctx = click.Context(nc.export)
+
+    @click.command()
+    @nc_options.lengths("--at", "X,Y", "Where.")
+    def tried(at: object) -> None: ...
+
+    [at] = tried.params
+    assert at.callback is not None
+    for mm, inches in ((True, (1.0, 2.0)), (False, (25.4, 50.8))):
+        ctx.params = {"mm": mm}
+        assert at.callback(ctx, at, "25.4,50.8") == inches
+        assert nc_options.numbers("X,Y")(ctx, at, "25.4,50.8") == (25.4, 50.8)
+        assert nc_options.numbers("X,Y,Z", one_for_all=True)(ctx, at, "5") == (5.0, 5.0, 5.0)
+        assert at.callback(ctx, at, None) is None
+        for wrong in ("1", "1,2,3", "a,b", "inf,1", ""):
+            with pytest.raises(click.BadParameter, match="is not X,Y: 2 numbers separated by commas"):
+                at.callback(ctx, at, wrong)
