@@ -26,6 +26,8 @@ def test_scripts_are_javascript(entry: str, tmp_path: Path) -> None:
         ('import { a } from "./b.mjs";\nexport const a = 1;\n', "m: a is declared 2 times"),
         ('import { d as e } from "./b.mjs";\n', "m: ./b.mjs exports no d"),
         ('import * as x from "./gone.mjs";\n', "m: there is no module ./gone.mjs"),
+        ('import * as a from "./b.mjs";\n', ""),
+        ('import * as a from "./b.mjs";\nconst a = 1;\n', "m: a is declared 2 times"),
         (
             'import { a as b } from "./b.mjs";\nconst { c, d: a } = b;\nfunction f() {\n  const a = 1;\n}\n',
             "",
