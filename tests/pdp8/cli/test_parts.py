@@ -389,3 +389,12 @@ def test_numbers_are_as_many_as_are_asked_for_and_lengths_in_their_unit() -> Non
         for wrong in ("1", "1,2,3", "a,b", "inf,1", ""):
             with pytest.raises(click.BadParameter, match="is not X,Y: 2 numbers separated by commas"):
                 at.callback(ctx, at, wrong)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no device that is always full")
+def test_a_run_whose_output_fails_is_a_failure(call: Call) -> None:
+    status, _, said = call("pdp8 run eia.pal --reader circle.asc --punch /dev/full")
+    assert status == 1
+    assert "/dev/full: No space left on device" in said
+    assert ", as an output or a tape failed" in said
+    assert call("pdp8 run eia.pal --reader circle.asc --punch /dev/null")[0] == 0
