@@ -398,3 +398,15 @@ def test_a_run_whose_output_fails_is_a_failure(call: Call) -> None:
     assert "/dev/full: No space left on device" in said
     assert ", as an output or a tape failed" in said
     assert call("pdp8 run eia.pal --reader circle.asc --punch /dev/null")[0] == 0
+
+
+@pytest.mark.parametrize(("name", "doubt"), [("circle.eia", "is an EIA tape: "), ("circle.asc", "")])
+def test_a_tape_that_its_owner_may_not_expect(
+    name: str, doubt: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for quiet in (False, True):
+        with click.Context(pal, info_name="pal"):
+            assert feed.Feed(Machine().teletype.reader, [name], quiet).next_tape()
+        said = capsys.readouterr().err
+        assert said.startswith(f"pal: {name} {doubt}") == bool(doubt and not quiet)
+        assert bool(said) == bool(doubt and not quiet)
