@@ -166,7 +166,8 @@ export const cases = {
   "the picture to keep has the last rows": async () => {
     drawn.length = 0;
     (await get("room/keepsake")).keepsake(Uint8Array.from([...Array(100).fill(0o301), 0o332]), "Z");
-    return [drawn.filter((text) => text).slice(-3, -2), ["Z"]];
+    const signs = drawn.slice(1, -2); // below the title, above the two lines that say how it was made
+    return [[drawn.filter((text) => text).slice(-3, -2), signs.findIndex((text) => text), signs.length], [["Z"], 4, 60 + 2 * 4]];
   },
   "a switch that locks is marked by itself": async () => {
     const { Hands } = await get("room/hands");
