@@ -18,7 +18,9 @@ from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
+from pdp8.computer.past import state
 from pdp8.replay.figures import COLUMNS
+from tapes import binary
 from tapes.errors import WorkError
 from tests.conftest import Call
 from tests.pdp8.cli.test_files import completed
@@ -410,3 +412,24 @@ def test_a_tape_that_its_owner_may_not_expect(
         said = capsys.readouterr().err
         assert said.startswith(f"pal: {name} {doubt}") == bool(doubt and not quiet)
         assert bool(said) == bool(doubt and not quiet)
+
+
+def test_a_saved_state_is_a_tape_of_its_core(capsys: pytest.CaptureFixture[str]) -> None:
+    machine = Machine()
+    machine.load({0o200: 0o7402, 0o7777: 1})
+    content = state.save(machine)
+    with click.Context(pal, info_name="pal"):
+        frames = tape._core_of_state("a.state", content.encode() if isinstance(content, str) else content)
+    assert binary.decode(frames).words == {0o200: 0o7402, 0o7777: 1}
+    assert capsys.readouterr().err == (
+        "pal: a.state: a saved state, of whose core all words but 0000 are taken\n"
+    )
+
+
+def test_a_doubtful_frame_is_cleaned_only_where_it_is_accepted(call: Call, tmp_path: Path) -> None:
+    good = shelf.read_bundled("circle.eia")
+    (tmp_path / "bad.eia").write_bytes(good[:200] + bytes([good[200] ^ 0o100]) + good[201:])
+    (tmp_path / "good.eia").write_bytes(good)
+    assert call("pdp8 tape clean good.eia -o a.eia")[0] == 0
+    assert call("pdp8 tape clean bad.eia -o b.eia")[0] == 1
+    assert not (tmp_path / "b.eia").exists()
