@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from pdp8.cli.running.line import opened
+from pdp8.cli.running.line import Tcp, opened
 from pdp8.shelf import ShelfError
 from tests import commands
 from tests.commands import Terminal
@@ -219,3 +219,61 @@ def test_a_port_is_from_1_to_65535(port: str) -> None:
     with pytest.raises(ShelfError) as refused:  # nobody here has this address
         opened(f"tcp:192.0.2.1:{port}")
     assert ("a port from 1 to 65535" in str(refused.value)) == (port not in ("1", "65535"))
+
+
+def test_telnets_options_are_taken_out_wherever_a_packet_ends() -> None:
+    line = Tcp.__new__(Tcp)
+    line._telnet = b""
+    for packets, frames in (
+        ((b"A\r\0B",), b"A\rB"),
+        ((b"\xff\xffA",), b"\xffA"),
+        ((b"\xff\xfd\x03A",), b"A"),
+        ((b"\xff", b"\xfd", b"\x03A"), b"A"),
+        ((b"\xff\xfa\x18\x00\xff\xff\xff\xf0A",), b"A"),
+        ((b"\xff\xf1A\r\n",), b"A\r\n"),
+    ):
+        assert b"".join(map(line._without_options, packets)) == frames
+
+
+def test_what_is_no_line_is_closed_again() -> None:
+    before = len(os.listdir("/dev/fd"))
+    for _ in range(3):
+        with pytest.raises(ShelfError, match="not a line"):
+            opened("/dev/null")
+    assert len(os.listdir("/dev/fd")) == before
+
+
+def test_rts_is_reader_run_until_the_line_says_that_it_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[tuple[int, bytes]] = []
+    end, other = pty.openpty()
+    line = opened(os.ttyname(other))
+    monkeypatch.setattr("fcntl.ioctl", lambda file, request, bits: asked.append((request, bits)))
+    line.reader_run(True)
+    line.reader_run(False)
+    rts = termios.TIOCM_RTS.to_bytes(4, sys.byteorder)
+    assert asked == [(termios.TIOCMBIS, rts), (termios.TIOCMBIC, rts)]
+
+    def refused(*_: object) -> None:
+        asked.append((0, b""))
+        raise OSError
+
+    monkeypatch.setattr("fcntl.ioctl", refused)
+    line.reader_run(True)
+    line.reader_run(True)
+    assert asked[2:] == [(0, b"")]
+    for file in (end, other):
+        os.close(file)
+    line.close()
+
+
+def test_in_real_time_it_waits_as_long_as_the_machine_takes(
+    call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clock = [100.0]
+    monkeypatch.setattr("pdp8.cli.running.pacing.time.monotonic", lambda: clock[0])
+    monkeypatch.setattr(
+        "pdp8.cli.running.pacing.time.sleep", lambda seconds: clock.append(clock.pop() + seconds)
+    )
+    status, _, said = call("pdp8 run hello.pal --realtime --max-time 1")
+    assert (status, "still running" in said) == (1, True)
+    assert 0.9 < clock[0] - 100 < 1.1
