@@ -23,6 +23,7 @@ _STYLES: Final = {
     "damaged": "yellow",
     "implied": "cyan",
     "conjecture": "red",
+    "conjectured": "red",
     "our drawing": "cyan",
     "fitted or conjectured": "yellow",
     "lost": "red",

@@ -165,9 +165,15 @@ def _run_to(machine: Machine, clock: int) -> Reason:
     return machine.run(seconds=ticks / TICKS_PER_SECOND).reason
 
 
+def _units(count: float, what: str) -> str:
+    return what.removesuffix("s") if count == 1 else what
+
+
 def _check(count: float, most: float, what: str) -> None:
     if not 0 <= count <= most:
-        raise HistoryError(f"{count:,} {what} cannot be undone: the history goes back {most:,}")
+        raise HistoryError(
+            f"{count:,} {_units(count, what)} cannot be undone: the history goes back {most:,}"
+        )
 
 
 def _before(history: History, counted: Callable[[Machine], int], count: int, what: str) -> None:
@@ -185,7 +191,9 @@ def _before(history: History, counted: Callable[[Machine], int], count: int, wha
                 break
             above = mark.instructions
         if counted(machine) >= fewer:
-            raise HistoryError(f"{count:,} {what} cannot be undone: the history does not go back so far")
+            raise HistoryError(
+                f"{count:,} {_units(count, what)} cannot be undone: the history does not go back so far"
+            )
         below = machine.instructions
         while above - below > 1:
             middle = (below + above) // 2

@@ -5,9 +5,11 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from pdp8.cli import thesis
 from pdp8.cli.thesis import _show
 from pdp8.thesis.catalogue import catalogue
 from pdp8.thesis.numbers import numbers, table
+from pdp8.thesis.table import Table
 from tests.conftest import Call, Shell
 
 
@@ -83,3 +85,16 @@ def test_make_alone_says_where_the_numbers_are(call: Call) -> None:
     status, printed, said = call("pdp8 thesis make")
     assert (status, printed) == (2, "")
     assert "give a NUMBER, or all; pdp8 thesis list has the numbers" in said
+
+
+def test_each_state_but_the_ordinary_one_has_its_colour(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    ordinary = {"legible", "from the text", "computed", "not made here"}
+    states = set[str]()
+
+    def shown(rows: Table, title: str, coloured_by: int, output: str = "-") -> None:
+        states.update(row[coloured_by] for row in rows.rows)
+
+    monkeypatch.setattr(thesis, "_show", shown)
+    for command in ("list", "numbers", "collate", "evidence eia.pal", "evidence circle.for"):
+        assert call(f"pdp8 thesis {command}")[0] == 0
+    assert states - ordinary == set(thesis._STYLES)

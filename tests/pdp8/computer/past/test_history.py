@@ -128,6 +128,8 @@ def test_what_cannot_be_undone_leaves_the_machine_as_it_is() -> None:
         with pytest.raises(HistoryError, match=f"^{message}"):
             way(history, value)
         assert saved(m) == was
+    with pytest.raises(HistoryError, match=r"^1 instruction cannot be undone: the history goes back 0$"):
+        rewind.instructions(History(Machine()), 1)
 
 
 def test_cycles_back_stand_within_an_instruction() -> None:
