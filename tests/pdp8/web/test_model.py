@@ -6,7 +6,7 @@ from tests.pdp8.web.browsing import Page
 from tests.pdp8.web.model import differ
 
 _SEEDS = (
-    0,
+    pytest.param(0, marks=pytest.mark.slow("12 s")),
     *(pytest.param(n, marks=[pytest.mark.slow("more"), pytest.mark.rare("12 s each")]) for n in (1, 3, 4)),
 )
 

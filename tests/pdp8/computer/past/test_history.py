@@ -193,7 +193,7 @@ def test_the_memory_is_bounded_and_the_oldest_past_forgotten() -> None:
     assert 10 < history.seconds < 110
     was = saved(m)
     rewind.seconds(history, history.seconds)
-    with pytest.raises(HistoryError, match="1 instructions cannot be undone: the history goes back 0"):
+    with pytest.raises(HistoryError, match="1 instruction cannot be undone: the history goes back 0"):
         rewind.instructions(history)
     assert saved(m) != was
     m, history = recorded(COUNTER, memory=1)  # the newest snapshot is kept, whatever it takes
