@@ -474,10 +474,8 @@ const due = new Map();
 const later = (act, after = 0, ...given) => (due.set((count += 1), { at: now + Math.max(0, Number(after) || 0), act: () => act(...given), count }), count);
 const turn = globalThis.setImmediate;
 let reading = 0; // what the machine below reads or packs, in its own time
-for (const { prototype } of [Blob, Response]) {
-  const { arrayBuffer } = prototype;
-  prototype.arrayBuffer = function read() { reading += 1; return arrayBuffer.call(this).finally(() => (reading -= 1)); };
-}
+const counted = ({ arrayBuffer }) => function read() { reading += 1; return arrayBuffer.call(this).finally(() => (reading -= 1)); };
+for (const { prototype } of [Blob, Response]) prototype.arrayBuffer = counted(prototype);
 export const settle = async () => { for (let times = 0; times < 3; times = reading ? 0 : times + 1) await new Promise((done) => turn(done)); };
 /** Let so many milliseconds pass, and do what is due in them. */
 export async function pass(milliseconds) {
