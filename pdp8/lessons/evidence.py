@@ -151,9 +151,7 @@ def _one_code(wrong: Sequence[Text], codes: bool) -> str:
     for each in wrong:
         if len(each.got) != len(each.expected):
             gone = [
-                code
-                for code in sorted(set(each.expected))
-                if [other for other in each.expected if other != code] == list(each.got)
+                code for code in sorted(set(each.expected)) if _without(each.expected, code) == list(each.got)
             ]
             if not gone:
                 return ""
@@ -181,6 +179,10 @@ def _one_code(wrong: Sequence[Text], codes: bool) -> str:
         where = "every frame" if every == len(wrong) else "some frames"
         return f"Channel {channels[0]} is wrong in {where}, and all else is right."
     return ""
+
+
+def _without(codes: Sequence[int], code: int) -> list[int]:
+    return [each for each in codes if each != code]
 
 
 def _called(code: int, codes: bool) -> str:

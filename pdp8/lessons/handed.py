@@ -18,7 +18,6 @@ LARGEST = 16 * 1024
 LONGEST = 200
 """Characters of a line."""
 _ANSWER = re.compile(rb"\W*\w\W*?[:=)]")
-"""The beginning of a sheet's line, `a: 270`, with whatever characters between; a sheet has two or more."""
 
 
 def read(name: str) -> Answer:
@@ -53,7 +52,7 @@ def of(content: bytes, name: str) -> Answer:
         if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file
     except WorkError as error:
-        if sum(bool(_ANSWER.match(line)) for line in content.split(b"\n")) < 2:
+        if not _is_sheet(content):
             return Answer(name, fault=str(error))
     except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
@@ -62,3 +61,8 @@ def of(content: bytes, name: str) -> Answer:
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
     return Answer(name, source=source)
+
+
+def _is_sheet(content: bytes) -> bool:
+    """Whether two lines or more are answers of a sheet, `a: 270`, with whatever characters between them."""
+    return sum(bool(_ANSWER.match(line)) for line in content.split(b"\n")) > 1

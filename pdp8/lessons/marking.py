@@ -1,7 +1,8 @@
 """Points and failures: an answer held against every case or question of its exercise.
 
 A case gives its points when everything it looks at is as expected in every trial, and none otherwise; the
-first trial that fails is shown. X Of a hidden case nothing is kept but what was wrong.
+first trial that fails is shown. An answer that breaks a rule on its source, a limit of words or a word it
+must or must not have, gets no points at all. Of a hidden case nothing is kept but what was wrong.
 """
 
 from collections.abc import Iterator
