@@ -27,8 +27,23 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import NamedTuple
 
-from tapes import frames as strip
 from tapes.errors import TapeError
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    PADDING,
+    RUBOUT,
+    check_word,
+    find_start,
+    label_after,
+    label_before,
+    leader,
+    missing_leader,
+    no_trailer,
+    skip,
+    starts,
+)
 
 FIELD, ORIGIN, WORD = "field", "origin", "word"
 
@@ -93,7 +108,7 @@ def word(value: int) -> bytes:
 
 def tape(body: bytes, checksum: int) -> bytes:
     """Return a whole tape: leader, `body` as punched, its checksum, trailer."""
-    return strip.leader() + body + word(checksum) + strip.leader()
+    return leader() + body + word(checksum) + leader()
 
 
 def encode(words: Mapping[int, int]) -> bytes:
@@ -109,7 +124,7 @@ def encode(words: Mapping[int, int]) -> bytes:
             following = -1
         if address != following:
             body += origin(address)
-        strip.check_word(address, words[address])
+        check_word(address, words[address])
         body += word(words[address])
         following = address + 1
     return tape(bytes(body), sum(frame for frame in body if frame < 0o300))
@@ -148,16 +163,16 @@ def content(reading: Reading) -> Content:
 
 def read(frames: bytes) -> Reading:
     """Return the tape by sections, checksums not checked. Raises TapeError where no BIN tape begins."""
-    return read_whole(frames) or _read_from(frames, strip.find_start(frames))
+    return read_whole(frames) or _read_from(frames, find_start(frames))
 
 
 def read_whole(frames: bytes) -> Reading | None:
     """Return the tape read from the first of its `starts` that gives a whole section, or None."""
-    for start in strip.starts(frames):
-        if strip.skip(frames, start, strip.LEADER) == len(frames):
+    for start in starts(frames):
+        if skip(frames, start, LEADER) == len(frames):
             continue
         reading = _read_from(frames, start)
-        if reading.sections and _is_whole(reading.sections[0], frames[start] == strip.LEADER):
+        if reading.sections and _is_whole(reading.sections[0], frames[start] == LEADER):
             return reading
     return None
 
@@ -169,11 +184,11 @@ def _is_whole(section: Section, led: bool) -> bool:
 
 
 def _read_from(frames: bytes, start: int) -> Reading:
-    at = strip.skip(frames, start, strip.LEADER)
+    at = skip(frames, start, LEADER)
     if at == len(frames):
         raise TapeError("nothing but leader", at)
-    labels = [*strip.label_before(frames, start)]
-    notes = strip.missing_leader(frames, start)
+    labels = [*label_before(frames, start)]
+    notes = missing_leader(frames, start)
     sections: list[Section] = []
     while at < len(frames):
         items, end, damage = _items(frames, at, labels)
@@ -182,7 +197,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
         closing = _checksum_at(frames, items) if damage else 0
         if closing:
             sections.append(_close(items[: closing + 1]))
-            notes = (*notes, strip.no_trailer(len(frames) - items[closing].frame - 2, "checksum"))
+            notes = (*notes, no_trailer(len(frames) - items[closing].frame - 2, "checksum"))
             break
         if sections and _is_label(frames, at, items, end if damage else -1):
             labels = [*(label for label in labels if label.start < at), range(at, len(frames))]
@@ -190,7 +205,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
         if damage is not None:
             return Reading(tuple(sections), tuple(items), damage, tuple(labels), notes, start)
         sections.append(_close(items))
-        at = strip.skip(frames, end, strip.LEADER, strip.BLANK)
+        at = skip(frames, end, LEADER, BLANK)
     return Reading(tuple(sections), (), None, tuple(labels), notes, start)
 
 
@@ -201,7 +216,7 @@ def _checksum_at(frames: bytes, items: list[Item]) -> int:
     computed = 0
     for number, (kind, value, frame) in enumerate(items):
         summed = kind == WORD and number > 0 and computed & 0o7777 == value
-        if summed and not frames[frame + 2 : -1].strip(strip.PADDING):
+        if summed and not frames[frame + 2 : -1].strip(PADDING):
             return number
         computed += _frames_of(kind, value)
     return 0
@@ -214,12 +229,12 @@ def first(items: Iterable[Item]) -> Item:
 
 def find_apart(frames: bytes, reading: Reading) -> int | None:
     """Return the frame of a second tape's leader behind the label at the end, or None."""
-    label = strip.label_after(frames, reading.labels)
+    label = label_after(frames, reading.labels)
     if label is None:
         return None
     at = label.start
-    while (start := frames.find(strip.LEAST_LEADER, at)) != -1:
-        items, at, damage = _items(frames, strip.skip(frames, start, strip.LEADER), [])
+    while (start := frames.find(LEAST_LEADER, at)) != -1:
+        items, at, damage = _items(frames, skip(frames, start, LEADER), [])
         if damage is None and items[0].kind != WORD and items[-1].kind == WORD:
             section = _close(items)
             if section.computed == section.punched:
@@ -231,7 +246,7 @@ def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
     """Tell whether the frames after a trailer are a label, which is soon `wrong` when read as `items`; a
     section begins with an origin or field after leader, and goes on for longer.
     """
-    if frames[at - 1] != strip.LEADER or first(items).kind != ORIGIN:
+    if frames[at - 1] != LEADER or first(items).kind != ORIGIN:
         return True
     return 0 <= wrong < len(frames) and len(items) < _A_SECTION
 
@@ -258,19 +273,19 @@ def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int
     begun = summed = False  # whether an origin or a word has come; whether the last one was a word
     while at < len(frames):
         frame = frames[at]
-        if frame == strip.LEADER:
+        if frame == LEADER:
             if summed:
                 return items, at, None
             at += 1  # within the leader, or after an origin
-        elif frame == strip.RUBOUT:
-            closing = frames.find(strip.RUBOUT, at + 1)
+        elif frame == RUBOUT:
+            closing = frames.find(RUBOUT, at + 1)
             if closing == -1:
                 message = "this rubout has no other to end it: the tape is cut short"
                 return items, at, TapeError(message, at)
             at = closing + 1
-        elif frame > strip.LEADER and not begun:
+        elif frame > LEADER and not begun:
             end = at
-            while end < len(frames) and frames[end] > strip.LEADER:
+            while end < len(frames) and frames[end] > LEADER:
                 end += 1
             if all(each & 0o307 == 0o300 for each in frames[at:end]):
                 items += [Item(FIELD, frames[each] >> 3 & 7, each) for each in range(at, end)]
@@ -289,7 +304,7 @@ def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int
             begun, summed = True, not frame >> 6
             at += 2
     end = items[-1].frame + 2 if items else at
-    if begun and not summed and end < at and not frames[end:].strip(bytes([strip.LEADER])):
+    if begun and not summed and end < at and not frames[end:].strip(bytes([LEADER])):
         return items, end, TapeError("the trailer where a checksum was expected", end)
     return items, at, TapeError("the tape is cut short: it has no trailer", at)
 

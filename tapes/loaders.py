@@ -10,14 +10,27 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from tapes import ascii, binary, rim
-from tapes import frames as strip
 from tapes.code import LABELLED, LED, MOSTLY, PERHAPS, WHOLE, Code, Row, Rule, nearly_all
 from tapes.errors import TapeError
+from tapes.frames import (
+    BLANK,
+    FILL,
+    LEADER,
+    LEAST_LEADER,
+    PARITIES,
+    RUBOUT,
+    WRITING,
+    begins_as_words,
+    draw_label,
+    leader_start,
+    skip,
+    strip,
+)
 from tapes.quantities import counted, ranges
 
 _FITTING = 8
 """Frames that have to fit: one tape in 65,000 begins with them by chance."""
-_NAMES = {strip.BLANK: "blank", strip.LEADER: "leader", strip.RUBOUT: "rubout"}
+_NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout"}
 
 
 class Known(NamedTuple):
@@ -70,15 +83,15 @@ class Words(Code):
 
     def likelihood(self, frames: bytes) -> float:
         """Return how likely a tape is in this format; one of characters, without leader, is a text."""
-        if strip.LEADER not in frames and not frames.translate(None, strip.WRITING):
+        if LEADER not in frames and not frames.translate(None, WRITING):
             return 0.0
         whole = self._whole(frames)
         if whole:
             return whole
-        start = strip.leader_start(frames)
-        if start and b"\r\n" not in frames[:start].translate(strip.PARITIES["none"]):
+        start = leader_start(frames)
+        if start and b"\r\n" not in frames[:start].translate(PARITIES["none"]):
             tape = frames[start:]  # letters for the eye stand before it: lines of text do not
-            if self._likelihood(tape) == LED and not nearly_all(tape.strip(strip.FILL), strip.WRITING):
+            if self._likelihood(tape) == LED and not nearly_all(tape.strip(FILL), WRITING):
                 return LABELLED * 0.9
         return self._likelihood(frames) or self._without_leader(frames)
 
@@ -86,7 +99,7 @@ class Words(Code):
         """Return how likely a damaged tape without leader is in this format: its first frames have to fit."""
         damage = self.damage(frames)
         fits = damage is None or (damage.frame or 0) >= _FITTING
-        steps = _by_words(strip.strip(frames).body, ended=False) == self._by_words
+        steps = _by_words(strip(frames).body, ended=False) == self._by_words
         return PERHAPS / 2 if frames[0] >> 6 == 1 and fits and steps else 0.0
 
     def _whole(self, frames: bytes) -> float:
@@ -94,15 +107,12 @@ class Words(Code):
         raise NotImplementedError
 
     def _likelihood(self, frames: bytes) -> float:
-        _, content, trailer = strip.strip(frames)
+        _, content, trailer = strip(frames)
         if not content:
             return 0.0 if self._by_words else MOSTLY
-        if (
-            not strip.begins_as_words(frames, content)
-            or _by_words(content, strip.LEADER in trailer) != self._by_words
-        ):
+        if not begins_as_words(frames, content) or _by_words(content, LEADER in trailer) != self._by_words:
             return 0.0
-        return LED if frames.startswith(strip.LEAST_LEADER) and not _has_lines(content) else PERHAPS
+        return LED if frames.startswith(LEAST_LEADER) and not _has_lines(content) else PERHAPS
 
     def captions(self, frames: bytes) -> list[str]:
         """Return what each frame is: leader, an address or origin, a word, a label."""
@@ -153,21 +163,19 @@ class _Bin(Words):
         at = 0
         while at < len(frames):
             frame, end = frames[at], at + 1
-            closing = frames.find(strip.RUBOUT, end) if frame == strip.RUBOUT else -1
+            closing = frames.find(RUBOUT, end) if frame == RUBOUT else -1
             if closing != -1:
                 said += ["rubout", *(f"({ascii.name(each)})" for each in frames[end:closing]), "rubout"]
                 end = closing + 1
-            elif frame == strip.BLANK and (
-                at == 0 or frames[at - 1] == strip.LEADER
-            ):  # blank tape is no word
-                end = strip.skip(frames, at, strip.BLANK)
+            elif frame == BLANK and (at == 0 or frames[at - 1] == LEADER):  # blank tape is no word
+                end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
-            elif frame < strip.LEADER and end < len(frames) and frames[end] < 0o100:
+            elif frame < LEADER and end < len(frames) and frames[end] < 0o100:
                 value = (frame & 0o77) << 6 | frames[end]
                 end += 1
                 if frame >> 6:
                     caption, address = f"origin {value:04o}", value
-                elif address is None or frames[end : end + 1] == bytes([strip.LEADER]):
+                elif address is None or frames[end : end + 1] == bytes([LEADER]):
                     caption, address = f"checksum {value:04o}", None
                 else:
                     caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
@@ -225,9 +233,7 @@ class _Rim(Words):
         return Known(reading.damage, reading.labels, reading.notes, reading.start)
 
     def _whole(self, frames: bytes) -> float:
-        led = (
-            frames[0] >= strip.LEADER
-        )  # without leader it may be in EIA, whose end of block would be a trailer
+        led = frames[0] >= LEADER  # without leader it may be in EIA, whose end of block would be a trailer
         return (WHOLE if led else LABELLED) if rim.read_whole(frames) else 0.0
 
     def _between(self, frames: bytes) -> list[str]:
@@ -253,10 +259,10 @@ class _Rim(Words):
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return RIM's order: an address every four frames, and channel 7 in its first only."""
-        start = strip.skip(frames, self.known(frames).start, strip.LEADER)
+        start = skip(frames, self.known(frames).start, LEADER)
         return Rule(
             "RIM's order",
-            lambda at, frame: at < start or frame == strip.LEADER or frame >> 6 == ((at - start) % 4 == 0),
+            lambda at, frame: at < start or frame == LEADER or frame >> 6 == ((at - start) % 4 == 0),
         )
 
 
@@ -265,8 +271,8 @@ RIM: Final = _Rim("rim", "RIM, DEC's read-in mode format", "a RIM tape", by_word
 
 
 def _has_lines(content: bytes) -> bool:
-    codes = content.translate(strip.PARITIES["none"])
-    return nearly_all(content, strip.WRITING) and (ascii.CR in codes or ascii.LF in codes)
+    codes = content.translate(PARITIES["none"])
+    return nearly_all(content, WRITING) and (ascii.CR in codes or ascii.LF in codes)
 
 
 def _by_words(content: bytes, ended: bool) -> bool:
@@ -284,7 +290,7 @@ def _labels(frames: bytes, labels: tuple[range, ...]) -> Iterator[Row]:
     """Say where each label is, and draw it as the eye reads it."""
     for label in labels:
         yield "label", _place(label)
-        for row in strip.draw_label(frames[label.start : label.stop]):
+        for row in draw_label(frames[label.start : label.stop]):
             yield "", row
 
 

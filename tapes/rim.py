@@ -22,8 +22,23 @@ card.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from tapes import frames as strip
 from tapes.errors import TapeError
+from tapes.frames import (
+    BLANK,
+    LEADER,
+    LEAST_LEADER,
+    PADDING,
+    check_word,
+    find_start,
+    label_after,
+    label_before,
+    leader,
+    missing_leader,
+    no_trailer,
+    paper_end,
+    skip,
+    starts,
+)
 from tapes.quantities import counted
 
 
@@ -34,9 +49,9 @@ def encode(words: Mapping[int, int]) -> bytes:
         if not 0 <= address <= 0o7777:
             raise TapeError(f"address {address:o}: a RIM tape can name only 0000 to 7777")
         word = words[address]
-        strip.check_word(address, word)
+        check_word(address, word)
         body += bytes((0o100 | address >> 6, address & 0o77, word >> 6 & 0o77, word & 0o77))
-    return strip.leader() + bytes(body) + strip.leader()
+    return leader() + bytes(body) + leader()
 
 
 class Reading(NamedTuple):
@@ -67,7 +82,7 @@ def read(frames: bytes) -> Reading:
     """Return the tape as far as it can be read. Raises TapeError where no RIM tape begins."""
     reading = read_whole(frames)
     if reading is None:
-        start = strip.find_start(frames)
+        start = find_start(frames)
         reading = _read_from(frames, start)
         if not reading.words and not reading.damage:
             raise TapeError("nothing but leader", start)
@@ -76,7 +91,7 @@ def read(frames: bytes) -> Reading:
 
 def read_whole(frames: bytes) -> Reading | None:
     """Return the tape from the first of its `starts` at which whole words begin; None if there is none."""
-    for start in strip.starts(frames):
+    for start in starts(frames):
         reading = _read_from(frames, start)
         if reading.words and not reading.damage:
             return reading
@@ -86,15 +101,13 @@ def read_whole(frames: bytes) -> Reading | None:
 def _read_from(frames: bytes, start: int) -> Reading:
     at = end = start
     words: dict[int, int] = {}
-    labels = [*strip.label_before(frames, start)]
+    labels = [*label_before(frames, start)]
     gaps: list[str] = []
     damage: TapeError | None = None
     while at < len(frames):
-        if frames[at] >= strip.LEADER:
+        if frames[at] >= LEADER:
             after = _passed_over(frames, at)
-            letters = range(
-                strip.skip(frames, at, strip.LEADER), len(frames[:after].rstrip(bytes([strip.LEADER])))
-            )
+            letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
             if letters and not words:
                 labels.append(letters)
             at = after
@@ -105,41 +118,40 @@ def _read_from(frames: bytes, start: int) -> Reading:
             words[(frames[at] & 0o77) << 6 | frames[at + 1]] = frames[data] << 6 | frames[data + 1]
             at = end = data + 2
             continue
-        after = strip.skip(frames, at, strip.BLANK)
-        if words and frames[: strip.paper_end(frames[:at])].endswith(
-            strip.LEAST_LEADER
-        ):  # a trailer, not a gap
+        after = skip(frames, at, BLANK)
+        if words and _after_trailer(frames, at):
             labels += [range(after, len(frames))] * (after < len(frames))
             break
-        if words and frames[-1] != strip.LEADER and not frames[end:-1].strip(_AT_THE_END):
+        if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
             break  # torn: a last frame of anything; a trailer has no blank tape before it
         if not words or not at < after < len(frames) or frames[after] >> 6 != 1:
             damage = fault
             break
         gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
         at = after
-    labelled = strip.label_after(frames, tuple(labels)) is not None
-    notes = (
-        *strip.missing_leader(frames, start),
-        *gaps,
-        *([] if damage or labelled else _ending(frames[end:])),
-    )
-    return Reading(words, damage, tuple(labels), notes, start, strip.skip(frames, end, strip.LEADER))
+    labelled = label_after(frames, tuple(labels)) is not None
+    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames[end:])))
+    return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
 
 
 def _passed_over(frames: bytes, at: int) -> int:
     """Return the first frame from `at` on without channel 8."""
-    while at < len(frames) and frames[at] >= strip.LEADER:
+    while at < len(frames) and frames[at] >= LEADER:
         at += 1
     return at
 
 
 def _ending(rest: bytes) -> list[str]:
     """Say what is wrong with the end of a tape, the `rest` after its last word."""
-    if rest.startswith(bytes([strip.LEADER])):
-        more = len(rest.strip(bytes([strip.BLANK, strip.LEADER])))
+    if rest.startswith(bytes([LEADER])):
+        more = len(rest.strip(bytes([BLANK, LEADER])))
         return [f"{counted(more, 'frames')} after the trailer, left out"] * (more > 0)
-    return [strip.no_trailer(len(rest), "last word")]
+    return [no_trailer(len(rest), "last word")]
+
+
+def _after_trailer(frames: bytes, at: int) -> bool:
+    """Whether frame `at` follows a trailer, that is, more frames of 200 than are between two words."""
+    return frames[: paper_end(frames[:at])].endswith(LEAST_LEADER)
 
 
 def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
@@ -153,7 +165,7 @@ def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
     return None
 
 
-_AT_THE_END = strip.PADDING + bytes([strip.LEADER])
+_AT_THE_END = PADDING + bytes([LEADER])
 _EXPECTED = (
     "the first half of an address",
     "the second half of an address",
