@@ -311,7 +311,7 @@ def _ends_loop(written: Written, before: Written | None) -> bool:
 def _skips(word: int) -> bool:
     if word >> 9 == OPR:
         return word & 0o7401 == 0o7400 and bool(word & (_SKIPS | REVERSED))
-    return tests_flag(word) and word & 0o7700 != 0o6200  # which is of the memory extension
+    return tests_flag(word) and word & 0o7700 != 0o6200  # not the memory extension's
 
 
 def of_model(words: Iterable[Written], model: str) -> list[Note]:

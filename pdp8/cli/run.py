@@ -377,10 +377,8 @@ class _Run:
                 else:
                     pace = options.max_time, options.realtime, options.quiet
                     stop = pacing.run(machine, self.feed, outputs, *pace)
-            except (
-                BrokenPipeError
-            ):  # the reader of the tape has closed it; what else was asked for is written
-                command.silence(sys.stdout)
+            except BrokenPipeError:
+                command.silence(sys.stdout)  # its reader has closed it; what else was asked for is written
                 send(outputs)
                 stop = _CLOSED
             except ShelfError as error:

@@ -89,7 +89,7 @@ def detach(monitor: Monitor, device: str, where: str) -> None:
     place.take_off()
 
 
-def _mounted(monitor: Monitor, device: str) -> "reels.Reel | reels.Discs":
+def _mounted(monitor: Monitor, device: str) -> reels.Reel | reels.Discs:
     """Return the place that a name such as dt0 or df0 is of. Raises WorkError where nothing is mounted."""
     place = monitor.reels.places[reels.device(device)]
     if not place.file:
