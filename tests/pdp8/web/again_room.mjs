@@ -135,9 +135,12 @@ export const cases = {
     seen.push(state().filter((_, at) => at !== 4));
     made.take();
     seen.push(state());
+    made.still = true; // nothing shall move
+    made.enter();
+    seen.push(state().slice(2));
     return [seen, [
       [true, true, false, false, "Pause", "Take the switches"], [true, true, false, false, "Play", "Take the switches"],
-      [false, false, true, true, "Back to the story"], [true, true, false, false, "Play", "Go on at the switches"]]];
+      [false, false, true, true, "Back to the story"], [true, true, false, false, "Play", "Go on at the switches"], [false, true, "Play", "Go on at the switches"]]];
   },
   "a pause gives the address of its instant, a play none": async () => {
     const made = await drawn();
@@ -193,7 +196,8 @@ export const cases = {
     made.enter();
     const place = find("room"), told = place.querySelector(".told");
     const { querySelector } = place;
-    told.querySelector = () => null; // no control has these keys
+    const control = { checkVisibility: () => control.seen, click: () => (control.pressed = true) };
+    told.querySelector = () => (control.seen === undefined ? null : control); // at first no control has these keys
     place.querySelector = (selector) => (selector === "dialog[open]" ? null : querySelector.call(place, selector));
     const press = (key, more = {}) => {
       let done = false;
@@ -203,11 +207,12 @@ export const cases = {
     const seen = [press("["), press("]"), press("]", { ctrlKey: true }), press("]", { target: { matches: (of) => of === "input" } }), press("x")];
     for (let turn = 0; turn < 8; turn++) press("]");
     seen.push(press("]"), press("["));
+    for (control.seen of [false, true]) seen.push(press(" "), control.pressed);
     place.hidden = true;
     seen.push(press("["));
     delete place.querySelector;
     delete told.querySelector;
-    return [seen, [[0, true], [1, true], [1, false], [1, false], [1, false], [7, true], [6, true], [6, false]]];
+    return [seen, [[0, true], [1, true], [1, false], [1, false], [1, false], [7, true], [6, true], [6, false], undefined, [6, true], true, [6, false]]];
   },
   "the sound's button says how it stands": async () => {
     const made = await drawn();
