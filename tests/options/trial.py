@@ -6,8 +6,8 @@ import re
 import shlex
 import sys
 import tempfile
-from collections.abc import Mapping
-from contextlib import chdir
+from collections.abc import Iterator, Mapping
+from contextlib import chdir, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 from unittest.mock import patch
@@ -34,18 +34,31 @@ class Outcome(NamedTuple):
         return self.status == 2
 
 
-def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
-    """Return what the command `line` does in a folder of `files`, with `stdin` on its standard input."""
-    given, shown, said = (io.BytesIO(content) for content in (stdin, b"", b""))
-    streams = [io.TextIOWrapper(buffer, write_through=True) for buffer in (given, shown, said)]
-    with tempfile.TemporaryDirectory(dir=_MEMORY) as folder, chdir(folder):
+@contextmanager
+def folder(files: Mapping[str, bytes]) -> Iterator[None]:
+    """Work in a folder of its own, in which are `files`."""
+    with tempfile.TemporaryDirectory(dir=_MEMORY) as path, chdir(path):
         for name, content in files.items():
             Path(name).write_bytes(content)
-        with patch.multiple(sys, stdin=streams[0], stdout=streams[1], stderr=streams[2]):
-            status = command.status(pdp8, "pdp8", shlex.split(line))
-        left = {
-            str(path): path.read_bytes()
-            for path in Path().rglob("*")
-            if path.is_file() and files.get(str(path)) != path.read_bytes()
-        }
+        yield
+
+
+def called(line: str, stdin: bytes = b"") -> Outcome:
+    """Return what the command `line` does in the current folder, with `stdin` on its standard input."""
+    given, shown, said = (io.BytesIO(content) for content in (stdin, b"", b""))
+    streams = [io.TextIOWrapper(buffer, write_through=True) for buffer in (given, shown, said)]
+    before = _files()
+    with patch.multiple(sys, stdin=streams[0], stdout=streams[1], stderr=streams[2]):
+        status = command.status(pdp8, "pdp8", shlex.split(line))
+    left = {name: content for name, content in _files().items() if before.get(name) != content}
     return Outcome(status, shown.getvalue(), _OUR_TIME.sub(b"", said.getvalue()), left)
+
+
+def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
+    """Return what the command `line` does in a folder of `files`, with `stdin` on its standard input."""
+    with folder(files):
+        return called(line, stdin)
+
+
+def _files() -> dict[str, bytes]:
+    return {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()}

@@ -1,0 +1,13 @@
+"""Commands and all that comes out of them, in tables that are read like a terminal.
+
+A blank line begins a new folder, with the files of tests/options/inputs.py in it.
+
+    % a.pal = *200|HLT|$|     a file of these lines
+    $ pal a.pal < tape.asc    a command of pdp8, and what is on its standard input
+      text                    a line of its standard output; `… 9 more, 6r2kf` are nine, and the digest of all
+    ! text                    a line of its standard error
+    = 1                       its exit status, unless 0
+    + a.bin 64, 4h3xa         a file that it wrote, its bytes and digest
+
+`python -m tests.transcripts` writes what the commands answer now: read the difference before you keep it.
+"""

@@ -1,0 +1,72 @@
+"""A table of commands: its blocks run, and their answers as lines."""
+
+from base64 import b32encode
+from collections.abc import Iterator
+from hashlib import sha256
+from pathlib import Path
+
+from tests.options.inputs import FILES
+from tests.options.trial import called, folder
+
+TABLES = sorted(Path(__file__).parent.glob("*.txt"))
+_MOST, _WIDEST = 12, 240
+"""Lines of a stream that are written in full, and their characters."""
+
+
+def blocks(table: str) -> list[str]:
+    """Return the blocks of a table."""
+    return [block.strip("\n") for block in table.split("\n\n")]
+
+
+def answered(table: str) -> str:
+    """Return the table with what its commands answer now."""
+    return "\n\n".join(map(block_answered, blocks(table))) + "\n"
+
+
+def block_answered(block: str) -> str:
+    """Return a block with what its commands answer now, in a folder of its own."""
+    lines: list[str] = []
+    with folder(FILES):
+        for line in block.splitlines():
+            if line.startswith(("#", "% ", "$ ")):
+                lines.append(line)
+            if line.startswith("% "):
+                name, text = line[2:].split(" = ")
+                Path(name).write_text(text.replace("|", "\n"), "utf-8")
+            elif line.startswith("$ "):
+                lines += _answer(line[2:])
+    return "\n".join(lines)
+
+
+def _answer(line: str) -> Iterator[str]:
+    command, _, given = line.partition(" < ")
+    result = called(command, Path(given).read_bytes() if given else b"")
+    yield from _stream("  ", result.shown)
+    yield from _stream("! ", result.said)
+    if result.status:
+        yield f"= {result.status}"
+    for name, content in sorted(result.files.items()):
+        yield f"+ {name} {len(content):,}, {_digest(content)}"
+
+
+def _stream(mark: str, content: bytes) -> Iterator[str]:
+    """Yield the lines of a stream; a tape as its number of frames and its digest."""
+    text = content.decode("utf-8", "replace")
+    if not content:
+        return
+    if any(not (char.isprintable() or char in "\t\n") for char in text):
+        yield f"{mark}{len(content):,} bytes, {_digest(content)}"
+        return
+    lines = text.removesuffix("\n").split("\n")
+    whole = len(lines) if len(lines) <= _MOST else _MOST // 2
+    for line in lines[:whole]:
+        cut = line if len(line) <= _WIDEST else f"{line[:_WIDEST]}…{_digest(line.encode())}"
+        yield f"{mark}{cut or '.'}"
+    if lines[whole:]:
+        yield f"{mark}… {len(lines) - whole} more, {_digest(content)}"
+    elif not text.endswith("\n"):
+        yield f"{mark}…"
+
+
+def _digest(content: bytes) -> str:
+    return b32encode(sha256(content).digest())[:5].decode().lower()

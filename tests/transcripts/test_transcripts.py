@@ -1,0 +1,21 @@
+"""Each command of the tables answers as they have it: what it shows, says and writes, and its status."""
+
+from difflib import unified_diff
+from pathlib import Path
+
+import pytest
+
+from tests.transcripts.table import TABLES, block_answered, blocks
+
+SLOW = {"part": pytest.mark.slow("computes parts, 20 s")}
+
+
+@pytest.mark.parametrize(
+    "table", [pytest.param(path, id=path.stem, marks=SLOW.get(path.stem, ())) for path in TABLES]
+)
+def test_commands_answer_as_the_table_has_it(table: Path) -> None:
+    wrong: list[str] = []
+    for block in blocks(table.read_text("utf-8")):
+        if (now := block_answered(block)) != block.strip("\n"):
+            wrong += unified_diff(block.splitlines(), now.splitlines(), "table", "now", lineterm="")
+    assert not wrong, "\n".join([f"{table.name}; python -m tests.transcripts writes it:", *wrong])
