@@ -54,7 +54,7 @@ def _stream(mark: str, content: bytes) -> Iterator[str]:
     text = content.decode("utf-8", "replace")
     if not content:
         return
-    if any(not (char.isprintable() or char in "\t\n") for char in text):
+    if any(char == "\ufffd" or not (char.isprintable() or char in "\t\n") for char in text):
         yield f"{mark}{len(content):,} bytes, {_digest(content)}"
         return
     lines = text.removesuffix("\n").split("\n")
