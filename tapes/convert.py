@@ -10,7 +10,7 @@ or it has LF without CR, as a text file has.
 
 from typing import Final
 
-from tapes import codes, doubts, frames, octal, redundancy, spelled
+from tapes import codes, doubts, eia, frames, octal, redundancy, spelled
 from tapes.code import Characters
 from tapes.errors import TapeError, TextError
 from tapes.loaders import Words
@@ -52,7 +52,7 @@ def convert(
     is_file = b"\n" in content and b"\r" not in content.translate(frames.PARITIES["none"])
     if code is made is codes.ASCII and fill is None and not is_file:
         leader, body, trailer = frames.strip(content)
-        return title + leader + frames.with_parity(body, parity) + trailer
+        return title + (leader + frames.with_parity(body, parity) + trailer)[len(title) :]
     if isinstance(code, Words) and isinstance(made, Words):
         return made.encode(_words(code, content, force))
     if (source == TEXT or isinstance(code, Characters)) and (target == TEXT or isinstance(made, Characters)):
@@ -79,14 +79,14 @@ def _check_way(content: bytes) -> None:
 
 
 def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[bytes, bytes]:
-    """Return the title of a tape and its text. Raises TapeError for doubtful frames that are not accepted."""
+    """Return the title of a tape, and the tape, blank in its place. Raises TapeError for doubtful frames."""
     if not accept:
         doubts.check(content, code)
         _check_way(content)
-    for gap in reversed(code.gaps(content)):
-        content = content[: gap.start] + content[gap.stop :]
+    for gap in code.gaps(content):
+        content = content[: gap.start] + bytes([eia.DELETE]) * len(gap) + content[gap.stop :]
     end = max([label.stop for label in code.labels(content)], default=0)
-    return content[:end], content[end:]
+    return content[:end], bytes(end) + content[end:]
 
 
 def typed(content: bytes) -> str:

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 from tapes.dectape import BLOCKS, WORDS, Image
 from tapes.errors import TapeError
+from tapes.quantities import counted
 
 _HALF, _BLOCK = 128, 256
 _SEGMENTS = range(1, 7)
@@ -70,7 +71,8 @@ def listing(image: Image) -> str:
     ]
     free = sum(each.length for each in entries if not each.name)
     files = sum(bool(each.name) for each in entries)
-    rows.append(f"{files} files in {sum(each.length for each in entries) - free} blocks, {free} free")
+    held = counted(sum(each.length for each in entries) - free, "blocks")
+    rows.append(f"{counted(files, 'files')} in {held}, {free} free")
     is_open = [place.entry.name for place in places if place.is_open]
     rows += [f"{name} was opened for output and not closed: OS/8 does not list it" for name in is_open]
     return "\n".join(rows)

@@ -197,7 +197,7 @@ def _coloured(diagnostic: Diagnostic) -> str:
 
 def _read(name: str) -> bytes:
     content = shelf.read(name)
-    if not content.strip(b"\0\x80\xff"):
+    if not content.strip(b"\0\x80\xff\r\n\x8d\x8a"):
         raise AssemblyError(f"{called(name)}: the source is empty")
     return content
 
@@ -229,7 +229,8 @@ def _punch(name: str, rim: bool, force: bool, errors: int, assembly: Assembly) -
     else:
         command.put(name, assembly.tape)
     if errors:
-        raise AssemblyError(f"{_counted(errors)}; {name} punched all the same")
+        where = "standard output" if name == "-" else name
+        raise AssemblyError(f"{_counted(errors)}; {where} punched all the same")
 
 
 def _serve(dialect: str) -> None:
@@ -302,6 +303,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
     from tapes.loaders import Words
 
     frames, note = dump.unspelled(shelf.read(tape))
+    tags = _symbols(symbols)
     said = [note] * bool(note)
     with naming(tape):
         code = codes.recognise(frames)
@@ -314,7 +316,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
         if damage and isinstance(code, Words):
             frames = binary.encode(code.readable(frames))
             said.append(f"{damage}; disassembled as far as it can be read")
-        source = silenced(disassemble_tape(frames, _symbols(symbols), entry))
+        source = silenced(disassemble_tape(frames, tags, entry))
     command.put(output, source)
     command.say_of(tape, (*said, *notes))
 

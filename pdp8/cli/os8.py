@@ -31,8 +31,9 @@ def _form(name: str, form: str | None) -> str:
 
 def _reel(name: str) -> dectape.Image:
     """Return the DECtape in a file."""
+    content = shelf.read(name)
     with naming(name):
-        found, notes = dectape.decode(shelf.read(name))
+        found, notes = dectape.decode(content)
     command.say_of(name, notes)
     return found
 
@@ -73,6 +74,8 @@ def insert(*, image: str, files: tuple[str, ...], form: str | None, output: str)
       pdp8 tape insert ps8.tu56 CIRCLE.FT -o with-circle.tu56
     """
     reel = _reel(image)
+    with naming(image):
+        os8.directory(reel)
     for file in files:
         name, content = Path(file).name, shelf.read(file)
         with naming(file):

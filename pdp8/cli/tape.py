@@ -189,8 +189,7 @@ def show(
       pdp8 tape show eia.bin --svg eia-bin.svg --paper a4
       pdp8 tape show circle.eia --to 79 --cut block.dxf
     """
-    if last is not None and last < first:
-        raise click.UsageError(f"--to {last} lies before --from {first}")
+    _check_order(first, last)
     if dectape.is_image(content := shelf.read(file)):
         if svg or cut or first or last is not None or code != _AUTO:
             raise click.UsageError(
@@ -292,7 +291,10 @@ def convert(
     command.put(output, converted.decode() if is_text else converted)
     words = codes.named(source)
     if isinstance(words, Words) and (isinstance(codes.named(target), Words) or target in spelled.FORMATS):
-        command.say_of(file, words.left_out(content))
+        damage = words.damage(content)
+        command.say_of(
+            file, ([f"{damage}; taken as far as it can be read"] if damage else words.left_out(content))
+        )
     elif target in _TYPED or target == conversion.TEXT:
         _say_accepted(file, content, words)
 
@@ -300,10 +302,11 @@ def convert(
 def _numbers(_context: click.Context, _option: click.Parameter, value: str) -> frozenset[int]:
     found: set[int] = set()
     for each in filter(None, value.split(",")):
-        first, _, last = each.partition("-")
-        if not first.isdecimal() or not (last or first).isdecimal():
+        first, to, last = each.partition("-")
+        last = last if to else first
+        if not (first.isdecimal() and last.isdecimal()) or int(last) < int(first):
             raise click.BadParameter(f"{each!r} is not a frame or a range of them, such as 1001,821-826")
-        found.update(range(int(first), int(last or first) + 1))
+        found.update(range(int(first), int(last) + 1))
     return frozenset(found)
 
 
@@ -339,6 +342,7 @@ def cut(
       pdp8 tape cut titled.eia --from 44 -o program.eia
       pdp8 tape cut wrong.eia --reverse -o right.eia
     """
+    _check_order(first, last)
     content = _mended(_read(file), mend)
     with naming(file):
         _check(first, len(content))
@@ -498,6 +502,11 @@ def read(
         why = [f"{name}{correction.said_place(strip)}: {strip.why}{shows}" for name, strip in reading.strips]
         raise TapeError("\n".join(why))
     ctx.exit(0 if strips or len(reading.order) == len(reading.strips) else 1)
+
+
+def _check_order(first: int, last: int | None) -> None:
+    if last is not None and last < first:
+        raise click.UsageError(f"--to {last} lies before --from {first}")
 
 
 def _check(first: int, length: int) -> None:
