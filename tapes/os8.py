@@ -143,7 +143,8 @@ def insert(image: Image, name: str, packed: Sequence[int], date: int = 0) -> Ima
     if not enough:
         most = max((each.entry.length for each in free), default=0)
         raise TapeError(
-            f"{called} needs {length} blocks; the largest free place has {most}: squeeze the tape with PIP /S"
+            f"{called} needs {counted(length, 'blocks')}; the largest free place has {most}: "
+            "squeeze the tape with PIP /S"
         )
     changed = Image(array("H", image.words), image.width)
     place = next((each for each in enough if _enter(changed, each, places, called, length, date)), None)
