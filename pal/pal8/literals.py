@@ -77,5 +77,5 @@ class Literals:
 
     def _say_full(self, page: int, start: int) -> None:
         """Report that the words and the literals of a page meet."""
-        words, literals = (page << 7) + self.top[page] - 1 & 0o7777, (page << 7) + self.bottom[page]
+        words, literals = (page << 7) + max(self.top[page] - 1, 0), (page << 7) + self.bottom[page]
         self._log.say("PE" if page else "ZE", start, words=f"{words:04o}", literals=f"{literals:04o}")
