@@ -27,8 +27,9 @@ class Unit(NamedTuple):
         return inches(abs(thousandths)) if self is INCH else self.said(abs(thousandths), 4)
 
     def signed(self, thousandths: float) -> str:
-        """Return an error with its sign."""
-        return f"{'-' if thousandths < 0 else '+'}{self.error(thousandths)}"
+        """Return an error with its sign; one that is written as zero has a plus."""
+        error = self.error(thousandths)
+        return f"{'-' if thousandths < 0 and error.strip('.0') else '+'}{error}"
 
 
 INCH: Final = Unit("in", 0.001, 3, "G20", 1)

@@ -182,13 +182,19 @@ def _stem(name: str) -> str:
     return os.path.splitext(os.path.basename(name))[0]
 
 
-def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
-    """Yield a page for each answer, with a number where a name is repeated."""
+def _names(results: Sequence[Result]) -> list[str]:
+    """Return the name of each student's files, with a number where it is repeated."""
     taken: Counter[str] = Counter()
-    for result in results:
-        stem = _stem(result.answer)
+    names = []
+    for stem in [_stem(result.answer) for result in results]:
         taken[stem] += 1
-        name = f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem
+        names.append(f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem)
+    return names
+
+
+def _pages(exercise: Exercise, results: Sequence[Result]) -> Iterator[tuple[str, bytes]]:
+    """Yield a page for each answer."""
+    for name, result in zip(_names(results), results, strict=True):
         yield f"{name}.html", page.html(exercise, result).encode()
 
 
@@ -215,7 +221,7 @@ def _show(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resul
 
 def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Result], dialect: str) -> None:
     """Say where the first visible failed case of each answer goes wrong."""
-    for given, result in zip(answers, results, strict=True):
+    for given, result, stem in zip(answers, results, _names(results), strict=True):
         names = [mark.name for mark in result.marks if mark.failures and not mark.hidden]
         case = next((case for case in exercise.cases if case.name in names), None)
         if case is None:
@@ -236,7 +242,8 @@ def _where(exercise: Exercise, answers: Sequence[Answer], results: Sequence[Resu
         command.echo(
             f"\n{given.name}: {case.name}: at {place.address:04o}, {after} after START: {place.says}"
         )
-        command.put(f"{_stem(name)}.state", state.save(machine))
+        command.check_output(f"{stem}.state")
+        command.put(f"{stem}.state", state.save(machine))
         command.echo(opened)
 
 

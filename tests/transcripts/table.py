@@ -1,16 +1,21 @@
 """A table of commands: its blocks run, and their answers as lines."""
 
-from base64 import b32encode
+import re
+from base64 import b32encode, urlsafe_b64decode
 from collections.abc import Iterator
 from hashlib import sha256
 from pathlib import Path
+from zlib import decompress
 
+from tapes import eia
 from tests.options.inputs import FILES
 from tests.options.trial import called, folder
 
 TABLES = sorted(Path(__file__).parent.glob("*.txt"))
 _MOST, _WIDEST = 12, 240
 """Lines of a stream that are written in full, and their characters."""
+_PACKED = re.compile(rb"(?<=#s=)[\w-]+")
+"""What a link to the page has, which zlib packs differently from version to version."""
 
 
 def blocks(table: str) -> list[str]:
@@ -31,8 +36,9 @@ def block_answered(block: str) -> str:
             if line.startswith(("#", "% ", "$ ")):
                 lines.append(line)
             if line.startswith("% "):
-                name, text = line[2:].split(" = ")
-                Path(name).write_text(text.replace("|", "\n"), "utf-8")
+                name, text = line[2:].split(" = ", 1)
+                text = text.replace("|", "\n")
+                Path(name).write_bytes(eia.encode(text) if name.endswith(".eia") else text.encode())
             elif line.startswith("$ "):
                 lines += _answer(line[2:])
     return "\n".join(lines)
@@ -51,9 +57,10 @@ def _answer(line: str) -> Iterator[str]:
 
 def _stream(mark: str, content: bytes) -> Iterator[str]:
     """Yield the lines of a stream; a tape as its number of frames and its digest."""
-    text = content.decode("utf-8", "replace")
     if not content:
         return
+    content = _PACKED.sub(lambda found: _unpacked(found[0]).encode(), content)
+    text = content.decode("utf-8", "replace")
     if any(char == "\ufffd" or not (char.isprintable() or char in "\t\n") for char in text):
         yield f"{mark}{len(content):,} bytes, {_digest(content)}"
         return
@@ -70,3 +77,7 @@ def _stream(mark: str, content: bytes) -> Iterator[str]:
 
 def _digest(content: bytes) -> str:
     return b32encode(sha256(content).digest())[:5].decode().lower()
+
+
+def _unpacked(link: bytes) -> str:
+    return _digest(decompress(urlsafe_b64decode(link + b"==="), -15))

@@ -132,10 +132,14 @@ class Command(click.Command):
         """Raise a UsageError where --no-clobber was given and no file is to be written."""
         if not command.keeps(ctx):
             return
-        written = {param.name: param for param in self.params if isinstance(param.type, _Written)}
+        written = {
+            param.name: param
+            for param in self.params
+            if isinstance(param.type, _Written) or param.name == "shows_where"  # it writes the machine
+        }
         values = {name: ctx.params[name or ""] for name in written}
         writes_unasked = "output" in values and values["output"] is None  # beside the source, as pal does
-        if not writes_unasked and all(value in (None, "-") for value in values.values()):
+        if not writes_unasked and all(value in (None, "-", False) for value in values.values()):
             asked = " or ".join(rules.words(param)[0] for param in written.values())
             raise click.UsageError(f"--no-clobber means nothing without {asked}.")
 

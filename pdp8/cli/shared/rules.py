@@ -115,7 +115,7 @@ def check(ctx: click.Context) -> None:
             raise click.UsageError(f"{name} does not go with {_told(barred, 'or')}.")
         only = getattr(param, "only", None)
         if only is not None:
-            fitting = [param, *(known[word] for word in only.split())]
+            fitting = [param, *(known[word] for word in (*only.split(), "--no-clobber") if word in known)]
             beside = [words(other)[0] for other in given if other not in fitting]
             if beside:
                 alone = f"with {_told(only.split(), 'and')} only" if only else "alone"
