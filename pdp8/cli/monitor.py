@@ -66,7 +66,7 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
         with ExitStack() as leaving:
             leaving.callback(rack.leave, made)
             leaving.callback(take_off, made)
-            do_file(made, script or "-")
+            do_file(made, "-" if script is None else script)
 
 
 def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:

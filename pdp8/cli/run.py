@@ -201,6 +201,9 @@ class _Run:
         self.mounted: Reels | None = None
         self.failures: list[ShelfError] = []
         _check_options(options, more, self.reels_in)
+        for device, name in self.reels_out.items():
+            if device not in self.reels_in:
+                raise click.UsageError(f"{device[2:]}={name}: no tape is mounted on drive {device[2:]}.")
         self.found = self._program(explicit)
         self.machine = self._machine()
         if self.found or "sr" in explicit:
@@ -230,7 +233,7 @@ class _Run:
         reads = [options.program, *options.reader, options.fast_reader, options.restore, options.loader]
         reads += [fitting.file_of(name) for name in options.device] + [*self.reels_in.values()]
         page = "-" if options.punch is None and not self.paged else options.punch
-        writes = [options.fast_punch, options.trace, options.annotate, options.save]
+        writes = [options.fast_punch, options.trace, options.annotate, options.save, options.printer]
         arguments.check_files(reads, [page, *writes, *self.reels_out.values()])
         if options.keyboard and not (sys.stdin.isatty() and sys.stdout.isatty()):
             raise click.UsageError("--keyboard needs a terminal to type and print at.")
@@ -416,7 +419,9 @@ class _Run:
             return
         for device, name in self.reels_out.items():
             with self._noting():
-                command.say(self.mounted.save(device, name))
+                said = self.mounted.save(device, name)
+                if not self.options.quiet:
+                    command.say(said)
         if self.options.save is None:
             for said in self.mounted.rescue():
                 command.say(said)

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from itertools import chain
 from itertools import cycle as cycle_of
 
 from pal.isa import DEFER, EXECUTE, STATES
@@ -101,8 +102,10 @@ def set_(monitor: Monitor, name: str, text: str) -> None:
     elif name in EXTENSION:
         value(monitor.machine, name)
         digits = octal(text, int(f"{most:o}" * len(EXTENSION[name]), 8))
+        if digits & 7 > most:
+            raise MonitorError(f"{text}: fields are 0 to {most}")
         for digit, part in enumerate(reversed(EXTENSION[name])):
-            setattr(monitor.machine.processor.extension, part, (digits >> 3 * digit & most) << 12)
+            setattr(monitor.machine.processor.extension, part, (digits >> 3 * digit & 7) << 12)
     elif name in SWITCHES:
         if text.lower() not in _POSITIONS:
             raise MonitorError(f"{text}: {name} is 0 or 1, off or on")
@@ -126,6 +129,9 @@ def set_core(monitor: Monitor, size: str) -> None:
         raise MonitorError(f"{size}: there are words beyond {memory - 1:o}")
     if memory == MEMORY["32k"]:
         monitor.say("no PDP-8/L had 32K, nor three bits of field")
+    extension = monitor.machine.processor.extension
+    for part in (*chain(*EXTENSION.values()), "inst_switch", "data_switch"):
+        setattr(extension, part, getattr(extension, part) & memory - 1)
     saved = json.loads(state.save(monitor.machine))
     saved["memory"] = memory
     monitor.turn_to(json.dumps(saved))

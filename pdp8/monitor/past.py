@@ -38,11 +38,11 @@ def back(monitor: Monitor, *arguments: str) -> None:
 
 
 def _measured(monitor: Monitor, count: str = "1", unit: str = "instructions") -> None:
-    unit = unit.removesuffix("s") + "s"
-    if unit == "seconds":
+    measure = unit.removesuffix("s") + "s"
+    if measure == "seconds":
         rewind.seconds(monitor.history, seconds(count))
-    elif unit in _MEASURES:
-        _MEASURES[unit](monitor.history, octal(count, _MOST))
+    elif measure in _MEASURES:
+        _MEASURES[measure](monitor.history, octal(count, _MOST))
     else:
         raise MonitorError(f"{unit}: there are {', '.join(_MEASURES)} and seconds")
 

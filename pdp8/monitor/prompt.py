@@ -110,7 +110,7 @@ class Monitor:
         for offset in offsets:
             if offset[1:].upper()[:6] in self.listing.symbols:
                 raise MonitorError(f"{text}: a range? write A:B; octal numbers follow + and -")
-            address += octal(offset[1:]) * (1 if offset[0] == "+" else -1)
+            address += octal(offset[1:] or text) * (1 if offset[0] == "+" else -1)
         if not 0 <= address < self.machine.memory:
             raise MonitorError(f"{text}: not between 0000 and {self.machine.memory - 1:o}")
         return address
@@ -129,7 +129,7 @@ class Monitor:
         begin_at, counts, words = text.partition("/")
         if counts:
             begin = self.address(begin_at)
-            end = begin + octal(words, self.machine.memory)
+            end = begin + octal(words or text, self.machine.memory)
             if end > self.machine.memory:
                 raise MonitorError(f"{text}: goes beyond {self.machine.memory - 1:o}")
             return range(begin, end)

@@ -7,6 +7,7 @@
 Times are the machine's. The run stops at most a twentieth of a second after what it waits for.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -170,7 +171,8 @@ def _failure(monitor: Monitor, goal: Goal, left: int, why: str) -> str:
 
 
 def _named(text: str) -> str:
-    return next((name for name, code in _CODES.items() if code == text), repr(str(text)))
+    shown = re.sub(r"\\uf7(..)", lambda code: f"\\{int(code[1], 16):o}", repr(str(text)))
+    return next((name for name, code in _CODES.items() if code == text), shown)
 
 
 def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[Stop]:

@@ -37,7 +37,7 @@ def _kind(name: str) -> str:
 def _device(monitor: Monitor, name: str) -> str:
     """Return the name of a device that is here, or can be fitted. Raises MonitorError."""
     device = _kind(name) if name.lower().startswith("dt") else name.lower().rstrip("0")
-    if device in _HAS or device in rack.RACK:
+    if device in _HAS[1:] or device in rack.RACK:
         return device
     raise MonitorError(f"{name}: {rack.absent(monitor, name) or f'no device; there are {DEVICES}'}")
 

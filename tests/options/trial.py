@@ -47,10 +47,10 @@ def called(line: str, stdin: bytes = b"") -> Outcome:
     """Return what the command `line` does in the current folder, with `stdin` on its standard input."""
     given, shown, said = (io.BytesIO(content) for content in (stdin, b"", b""))
     streams = [io.TextIOWrapper(buffer, write_through=True) for buffer in (given, shown, said)]
-    before = _files()
+    before = existing()
     with patch.multiple(sys, stdin=streams[0], stdout=streams[1], stderr=streams[2]):
         status = command.status(pdp8, "pdp8", shlex.split(line))
-    left = {name: content for name, content in _files().items() if before.get(name) != content}
+    left = {name: content for name, content in existing().items() if before.get(name) != content}
     return Outcome(status, shown.getvalue(), _OUR_TIME.sub(b"", said.getvalue()), left)
 
 
@@ -60,5 +60,6 @@ def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
         return called(line, stdin)
 
 
-def _files() -> dict[str, bytes]:
+def existing() -> dict[str, bytes]:
+    """Return the files of the current folder."""
     return {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()}

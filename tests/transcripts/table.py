@@ -2,14 +2,19 @@
 
 import re
 from base64 import b32encode, urlsafe_b64decode
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from hashlib import sha256
 from pathlib import Path
+from types import MappingProxyType
 from zlib import decompress
 
+from pdp8 import shelf
+from pdp8.monitor.commands import do
+from pdp8.monitor.prompt import Monitor
 from tapes import eia
+from tapes.errors import WorkError
 from tests.options.inputs import FILES
-from tests.options.trial import called, folder
+from tests.options.trial import called, existing, folder
 
 TABLES = sorted(Path(__file__).parent.glob("*.txt"))
 _MOST, _WIDEST = 12, 240
@@ -31,9 +36,11 @@ def answered(table: str) -> str:
 def block_answered(block: str) -> str:
     """Return a block with what its commands answer now, in a folder of its own."""
     lines: list[str] = []
-    with folder(FILES):
+    said: list[str] = []
+    with folder(FILES), shelf.watched():
+        monitor = Monitor(said.append)
         for line in block.splitlines():
-            if line.startswith(("#", "% ", "$ ")):
+            if line.startswith(("#", "% ", "$ ", "* ")):
                 lines.append(line)
             if line.startswith("% "):
                 name, text = line[2:].split(" = ", 1)
@@ -41,7 +48,21 @@ def block_answered(block: str) -> str:
                 Path(name).write_bytes(eia.encode(text) if name.endswith(".eia") else text.encode())
             elif line.startswith("$ "):
                 lines += _answer(line[2:])
+            elif line.startswith("* "):
+                lines += _prompted(monitor, said, line[2:])
     return "\n".join(lines)
+
+
+def _prompted(monitor: Monitor, said: list[str], line: str) -> Iterator[str]:
+    said.clear()
+    error, before = "", existing()
+    try:
+        do(monitor, line)
+    except WorkError as refusal:
+        error = f"{refusal}\n"
+    yield from _stream("  ", "".join(f"{each}\n" for each in said).encode())
+    yield from _stream("? ", error.encode())
+    yield from _written(existing(), before)
 
 
 def _answer(line: str) -> Iterator[str]:
@@ -51,8 +72,13 @@ def _answer(line: str) -> Iterator[str]:
     yield from _stream("! ", result.said)
     if result.status:
         yield f"= {result.status}"
-    for name, content in sorted(result.files.items()):
-        yield f"+ {name} {len(content):,}, {_digest(content)}"
+    yield from _written(result.files)
+
+
+def _written(files: Mapping[str, bytes], before: Mapping[str, bytes] = MappingProxyType({})) -> Iterator[str]:
+    for name, content in sorted(files.items()):
+        if before.get(name) != content:
+            yield f"+ {name} {len(content):,}, {_digest(content)}"
 
 
 def _stream(mark: str, content: bytes) -> Iterator[str]:
