@@ -63,7 +63,8 @@ class Header:
             raise WorkError(f"coolant {self.coolant} must be 7 flood, 8 mist or 9 off")
         for name, code, known in (("spindle", self.spindle, SPINDLE), ("Z feed", self.z_feed, Z_FEED)):
             if code not in known:
-                raise WorkError(f"{name} code {code} is not in Table 2.4: 1 to 18 and 21 to 38")
+                codes = f"1 to {max(Z_FEED)}{' and 21 to 38' * (known is SPINDLE)}"
+                raise WorkError(f"{name} code {code} is not in Table 2.4: {codes}")
 
     def blocks(self, x: int, y: int) -> Iterator[Block]:
         """The blocks, for a contour that starts at `x`, `y`."""

@@ -67,6 +67,7 @@ _OTHERS = {
     rb"0\s*\r?\n\s*SECTION": "a DXF drawing: export the points as CSV",
     rb"(?s:.*\n)?v[ \t]+[-+.\d][^\n]*\n(?s:.*\n)?[lf] ": "a mesh (OBJ): export the points as CSV",
 }
+csv.field_size_limit(1 << 30)  # a list of all points may be one line
 _LISTED = 10
 """Points at least in each of two lists (Lednicer's airfoils), the numbers of which are above them."""
 _AXIS = re.compile("coord(inate)?s?|pos(ition)?|value|axis|wert|achse")

@@ -123,8 +123,8 @@ def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[
     """Return the printout for an expression, or a file of points that it names, and the values used."""
     program, given = part.program(), values["expression"]
     if given == "-" or shelf.has(given):
+        lines = (f"{x!r},{y!r}\n" for x, y in _points(given, mm))
         with naming(given):
-            lines = (f"{x!r},{y!r}\n" for x, y in _points(given, mm))
             values = values | {"expression": "".join(lines)}
             return program(**arguments(program, values)), values
     if mm:
@@ -141,7 +141,9 @@ def _points(name: str, mm: bool) -> list[tuple[float, float]]:
     """Return the points of a file, inches, and say what was skipped or assumed."""
     from programs import table
 
-    found = table.read(shelf.read(name, wide=True), mm)
+    content = shelf.read(name, wide=True)
+    with naming(name):
+        found = table.read(content, mm)
     command.say_of(name, found.notes)
     return found.places
 
@@ -191,8 +193,9 @@ def fit(points: str, degree: int, mm: bool) -> None:
     """
     from programs import least_squares
 
+    places = _points(points, mm)
     with naming(points):
-        found = least_squares.fit(_points(points, mm), degree)
+        found = least_squares.fit(places, degree)
     command.echo(found.expression)
     command.tell(f"at most {found.worst:.4f} in from a point")
 

@@ -12,7 +12,7 @@ from pdp8 import shelf
 from pdp8.cli.shared import command, extras
 from pdp8.cli.shared.arguments import Command, Folder, Group, Source, Target, output
 from pdp8.cli.shared.rules import flag, option
-from tapes.errors import TapeError
+from tapes.errors import TapeError, naming
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -212,7 +212,9 @@ def collate(answers: str | None, letter: bool, pages: str | None, output: str) -
     if letter:
         command.put(output, known.letter())
         return
-    given = known.answers(shelf.read(answers).decode("utf-8", "replace") if answers else "")
+    text = shelf.read(answers).decode("utf-8", "replace") if answers else ""
+    with naming(answers or ""):
+        given = known.answers(text)
     places = _places(pages) if pages else {}
     _show(known.table(given, places), "What a rescan would settle", coloured_by=4, output=output)
 

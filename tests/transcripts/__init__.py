@@ -2,7 +2,7 @@
 
 A blank line begins a new folder, with the files of tests/options/inputs.py in it.
 
-    % a.pal = *200|HLT|$|     a file of these lines; of a.eia an EIA tape
+    % a.pal = *200|HLT|$|     a file of these lines, ¦ for a bar; of a.eia an EIA tape
     $ pal a.pal < tape.asc    a command of pdp8, and what is on its standard input
     * examine 200             a line at a monitor's prompt, the same one in all of the block
       text                    a line of its standard output; `… 9 more, 6r2kf` are nine, and the digest of all

@@ -44,7 +44,7 @@ def block_answered(block: str) -> str:
                 lines.append(line)
             if line.startswith("% "):
                 name, text = line[2:].split(" = ", 1)
-                text = text.replace("|", "\n")
+                text = text.replace("|", "\n").replace("¦", "|")
                 Path(name).write_bytes(eia.encode(text) if name.endswith(".eia") else text.encode())
             elif line.startswith("$ "):
                 lines += _answer(line[2:])

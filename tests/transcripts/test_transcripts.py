@@ -8,7 +8,7 @@ import pytest
 from tests.transcripts.table import TABLES, block_answered, blocks
 
 SLOW = {
-    "part": pytest.mark.slow("computes parts, 20 s"),
+    "parts": pytest.mark.slow("computes the thesis's parts, 3 s"),
     "class": pytest.mark.slow("marks a class's answers, 6 s"),
     "inspect": pytest.mark.slow("measures walls, 5 s"),
 }
