@@ -215,7 +215,7 @@ def _in_segment(segment: list[int], number: int) -> Iterator[_Place]:
         name = _name(segment[at : at + 4]) if size > 2 else ""
         length = -segment[at + size - 1] & 0o7777
         if block + length > BLOCKS // 2 or (name and not _NAME.fullmatch(name)):
-            said = f"{name or 'a free place'} of {length} blocks from block {block:o} on"
+            said = f"{name or 'a free place'} of {counted(length, 'blocks')} from block {block:o} on"
             raise TapeError(
                 f"{where} is damaged: entry {index}, {said}; the tape ends at {BLOCKS // 2 - 1:o}"
             )
