@@ -1,13 +1,10 @@
 """The products of `pdp8 tape`; what it refuses stands in tests/pdp8/cli/test_refusals.py."""
 
-import re
 from pathlib import Path
 
 import pytest
 
 from tapes import ascii, eia
-from tapes.errors import TextError
-from tapes.hydrapoint import typed
 from tests.conftest import Call, assert_same_tape
 from tests.tapes.strips import FORMAT_BIN
 
@@ -55,27 +52,6 @@ def test_what_is_punched_of_what_is_typed(line: str, text: str, tape: bytes, cal
     assert_same_tape(product(call, line, text.encode()), tape)
 
 
-def test_a_line_that_is_no_block_is_named() -> None:
-    with pytest.raises(TextError, match="line 5, column 9: the letter O in a block; a zero is 0"):
-        typed(DRILLING.replace("5 04000 02", "5 04O00 02"))
-    for number, before in ((1, ""), (7, DRILLING)):
-        for line, digits in (("002 9 03000 00000 0 00 0", 18), ("002 9 03000 00000 0 00 000", 20)):
-            for block in (line, line.replace(" ", "")):
-                with pytest.raises(TextError, match=f"line {number}, column 1: a block of {digits} digits;"):
-                    typed(f"{before}{block}\n")
-
-
-def test_show_a_range(call: Call) -> None:
-    rows = [
-        "      65    102  |   o       .   o   |  origin 0200",
-        '      66    000  |           .       |  "',
-    ]
-    for last, expected in (("66", rows), ("65", rows[:1])):
-        shown = product(call, f"show --from 65 --to {last}", FORMAT_BIN)
-        assert shown.decode().splitlines()[1:] == expected
-    assert product(call, "show --svg -", FORMAT_BIN).startswith(b"<svg")
-
-
 def test_a_label_is_drawn_below_the_rows(call: Call) -> None:
     seven = bytes([0o001, 0o161, 0o011, 0o005, 0o003])
     for tape, span in (
@@ -87,17 +63,6 @@ def test_a_label_is_drawn_below_the_rows(call: Call) -> None:
         assert rows[-8:] == [
             f"   label    {row}".rstrip() for row in ("oooo", "   o", "  o", " o", "o", "o", "o", "")
         ]
-
-
-def test_info_of_several(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "a.bin").write_bytes(FORMAT_BIN)
-    said = product(call, "info a.bin -", eia.encode("1\n")).decode()
-    assert re.findall(r"^\S.*|tape  .*", said, re.M) == [
-        "a.bin",
-        "tape       BIN, DEC's binary loader format",
-        "standard input",
-        "tape       EIA RS-244",
-    ]
 
 
 def test_convert_tells_the_code_and_clean_leaves_digits(call: Call) -> None:
