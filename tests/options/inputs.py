@@ -103,6 +103,11 @@ def _damaged(tape: bytes) -> bytes:
     return tape[:20] + b"\0" + tape[20:]
 
 
+def _narrow(image: bytes) -> bytes:
+    """Return an image with 128 words of each block, as some programs keep it."""
+    return b"".join(image[at : at + 256] for at in range(0, len(image), 258))
+
+
 def _saved() -> bytes:
     machine = Machine()
     machine.load(pdp8.assemble(WORK).words)
@@ -126,6 +131,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "missing.pal": _OVERLAY.encode() + b"\tTAD UNDEF\n$\n",
     "own.py": OWN.encode(),
     "reel.tu56": dectape.blank().content(),
+    "os8.dt8": _narrow(os8.insert(empty(), "add.pa", os8.from_text("*200")).content()),
     "full.pal": ("".join(f"A{number}=1\n" for number in range(500)) + "$\n").encode(),
     "cut.bin": _BIN[:-40],
     "sum.bin": bytes([*_BIN[:_WORD], _BIN[_WORD] ^ 1, *_BIN[_WORD + 1 :]]),
