@@ -29,8 +29,8 @@ from tests.pdp8.web.node import NODE, modules
 WEB = "pdp8/web"
 TESTS = {
     "bench": ["again", "walked", "drives", "workbench", "desk", "looked", "model", "page", "controls"],
-    "room": ["again", "walked", "looked", "room", "model", "touch"],
-    "curve": ["again", "walked", "looked", "curve"],
+    "room": ["again", "looked", "walked", "room", "model", "touch"],
+    "curve": ["again", "looked", "curve", "walked"],
     ".": ["again", "walked", "looked", "workbench", "desk", "room", "curve", "model"],
 }
 """The tests of each folder, the quickest first."""

@@ -120,12 +120,13 @@ export const cases = {
     made.leave();
     return [made.bench.released.length, 0];
   },
-  "left without a touch, it is": async () => {
+  "left without a touch, it is, also by who goes to write a program": async () => {
     const made = await room();
     const own = (made.bench.machine = await worked(1));
-    made.enter();
-    made.leave();
-    return [made.bench.released[0] === own, true];
+    const seen = ["leave", "program"].map((way) => (made.enter(), made[way](), made.bench.released.at(-1) === own));
+    made.own = null;
+    made.program();
+    return [[...seen, made.bench.released.length, made.bench.released.at(-1) === own], [true, true, 3, false]];
   },
   "taken again, the switches are as they were left": async () => {
     const made = await room();

@@ -198,13 +198,21 @@ export const cases = {
     made.bench.adopt = (of, stops) => adopted.push(stops);
     Object.assign(made.bench, { teletype: { named: nothing } });
     Object.assign(made.made, { mounted: "", day: { tapes: new Map() } });
+    const { setTimeout: real } = globalThis, due = [], said = [];
+    globalThis.setTimeout = (act) => due.push(act);
+    Object.assign(made.bench, { tell: (words) => said.push(words) }).switches.panel.words = "lamps";
+    made.go(3);
+    due.pop()();
+    made.go(4); // nothing is said of an instant that was left
     made.playing = true;
     made.takeOver();
+    due.pop()();
+    globalThis.setTimeout = real;
     const first = [made.on, made.playing, made.way.source.includes("afternoon.back")];
     made.takeOver();
     Object.assign(made, { on: true, playing: false });
     made.takeOver();
-    return [[first, adopted], [[false, false, true], [false, true]]];
+    return [[first, adopted, said], [[false, false, true], [false, true], ["1:00:00 pm, . lamps"]]];
   },
   "a key shows as pressed for a moment, an instant is in the address": async () => {
     const made = await afternoon();
@@ -410,8 +418,28 @@ export const cases = {
     const second = 20_000_000;
     Object.assign(made.made, { now: 0, end: 10 * second });
     made.playing = true;
-    const seen = [[1000, 1], [8900, 1], [200, 1]].map(([milliseconds, speed]) => (made.pass(milliseconds, speed, 0).length, [made.playing, made.made.now / second]));
-    return [seen, [[true, 1], [true, 9.9], [false, 10.1]]];
+    const pass = (milliseconds, speed, late) => (made.pass(milliseconds, speed, late), [made.playing, made.made.now / second]);
+    const seen = [pass(1000, 1), pass(8900, 1), pass(200, 1)];
+    Object.assign(made, { position: 0, playing: true }).made.now = 0;
+    seen.push(pass(9, Infinity, 0), pass(9, Infinity, Infinity));
+    return [seen, [[true, 1], [true, 9.9], [false, 10.1], [true, 0], [false, 10]]];
+  },
+  "in the afternoon it is said what the operator did, or what the machine waits for": async () => {
+    const made = await afternoon();
+    const { processor } = made.made.machine;
+    const said = [];
+    made.bench.time = { says: (_, { source }) => said.push(/<em>(.*)<\/em>/.exec(source)[1]) };
+    const look = (more) => (Object.assign(made.made, more), made.write());
+    made.made.act = { name: "", say: "", starts: 100 };
+    look({ now: 100 + 8 * 2e7 - 1, action: { at: 100, say: "throws a switch" } });
+    [0o6031, 0o5200, 0o6041, 0o5202, 0o7200].forEach((word, at) => processor.deposit(0o200 + at, word));
+    for (const run of [1, 0]) {
+      Object.assign(processor, { run });
+      for (let pc = 0o200; pc < 0o206; pc++) look({ now: 100 + 8 * 2e7, machine: Object.assign(made.made.machine, { pc }) });
+    }
+    look({ now: 100, action: { at: 99, say: "of the act before" } });
+    const [reader, punch] = ["reader", "punch"].map((what) => `It waits for the ${what}.`);
+    return [said, ["throws a switch", reader, reader, punch, punch, "", "", ...Array(7).fill("")]];
   },
   "Tab writes where somebody writes, and leads on otherwise": async () => {
     const { Editor } = await get("bench/editor");

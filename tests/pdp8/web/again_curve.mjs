@@ -143,6 +143,19 @@ export const cases = {
       [[5, 10.6, 1000, 0, 999.96].map((of) => mils(of, 4)), mils(5), inch(1250), [9.994, 10, 9.9].map(minutes), [1, 250].map((many) => Math.round(grownBack(many, 250))), [Math.round(x - CENTRE), Math.round(y - CENTRE) === RADIUS]],
       [[".0050", ".0106", "1.0000", ".0000", "1.0000"], ".005", "1.250 in", ["9.99 min", "10.0 min", "9.90 min"], [0, 100], [0, true]]];
   },
+  "a block is said to be what it is, with its lengths and its feed": async () => {
+    const { holes } = await get("curve/block");
+    const { withoutWaiting } = await get("curve/made");
+    inputs("holes", { block: [1] });
+    const figure = holes();
+    const said = [1, 2, 3, 4, 5, 6, 7, 8, 9, 666].map((block) => {
+      let drawn;
+      withoutWaiting(() => (drawn = figure.draw({ block }, 700)));
+      return drawn[2].source.replace(/<.?b>|Block |, one of.*|A row.*/g, "");
+    });
+    const mills = ["2.250, Y 4.133 in, with the Y", "2.261, Y 4.133 in, with the X", "2.261, Y 4.237 in, with the Y"].map((place, at) => `00${at + 7}: mill to X ${place} feed at code 01. `);
+    return [said, [...[1, 2, 3, 4, 5].map((number) => `00${number}: position`), "006: depths: feed from Z 3 in down to 3.5 in.", ...mills, "666: mill to X 2.251, Y 3.844 in, with the X feed at code 01. "]];
+  },
   "the circle near by says what is seen": async () => {
     const { near } = await get("curve/near");
     const { withoutWaiting } = await get("curve/made");
@@ -200,7 +213,7 @@ export const cases = {
     const { own } = await get("curve/own");
     const { tolerance } = inputs("own", { tolerance: [20], place: [500] });
     const [save, open] = [Object.assign(new Element(), { disabled: true }), Object.assign(new Element(), { removeAttribute() { delete this.href; } })];
-    find("own").querySelector("svg").addEventListener = nothing;
+    const { svg } = Object.assign(find("own"), { svg: find("own").querySelector("svg") });
     const figure = own({ words: [], workbench: "bench.html" }, save, open);
     const state = () => [save.disabled, Boolean(open.href)];
     const until = async (holds) => { while (!holds()) await soon(100); };
@@ -231,10 +244,42 @@ export const cases = {
       const { to, x, y } = figure.draw({ tolerance: 60, place }, 700)[3].place;
       return Math.abs(to({ x, y }) - place) < 40 && [to({ x: x - 900 }), to({ x: x + 900 })].join();
     });
-    const [wide, narrow] = [60, 20].map((within) => figure.draw({ tolerance: within, place: 0 }, 700)[3].tolerance);
+    for (const [event, clientX] of [["pointerdown", 300], ["pointermove", 320]]) svg.hear(event, { target: { closest: () => null }, clientX, clientY: 100, preventDefault: nothing });
+    figure.now();
+    seen.push(state(), figure.said.innerHTML);
+    svg.hear("pointerup");
+    const { withoutWaiting } = await get("curve/made");
+    let wide, narrow;
+    withoutWaiting(() => ([wide, narrow] = [60, 20].map((within) => figure.draw({ tolerance: within, place: 0 }, 700)[3].tolerance)));
     const band = [wide.y < narrow.y, wide.x === narrow.x, wide.to({ dy: 0, start: 20 }), wide.to({ dy: -30, start: 20 })];
     globalThis.setTimeout = real;
-    return [[seen, said.includes("goes another way"), along, band], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true]], true, Array(5).fill("0,1000"), [true, true, 20, 30]]];
+    return [[seen, said.includes("goes another way"), along, band], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30]]];
+  },
+  "a stroke of the finger is taken from end to end, and what lies beside it meets it": async () => {
+    const { Pad } = await get("pad");
+    const svg = find("pad");
+    Object.assign(svg, { viewBox: { baseVal: { width: 1000 } }, getBoundingClientRect: () => ({ left: 0, top: 0, width: 1000 }) });
+    let changes = 0;
+    const pad = new Pad(svg, () => (changes += 1));
+    const view = pad.fit({ x: 0, y: 0, width: 1000, height: 640 });
+    const event = (name, x, y, hold = null) => svg.hear(name, { target: { closest: () => hold }, clientX: view.x(x), clientY: view.y(y), preventDefault: nothing });
+    const stroke = (...places) => {
+      event("pointerdown", ...places[0]);
+      for (const place of places.slice(1)) event("pointermove", ...place);
+      event("pointerup");
+      return pad.heights.filter((_, at) => at % 25 === 0);
+    };
+    pad.text = Array(101).fill("5").join(" ");
+    const seen = [stroke([1950, 5500], [6050, 5500]), stroke([6050, 4000], [1950, 9000]), stroke([2990, 5100], [3010, 5100], [2990, 5100])];
+    event("pointerdown", 3000, 5000, {});
+    event("pointermove", 3000, 4000);
+    event("pointerdown", 3000, 1000);
+    event("pointermove", 3000, 4000);
+    for (const words of ["5 5", `${Array(100).fill("4").join(" ")} x`, Array(102).fill("4").join(" ")]) pad.text = words;
+    seen.push(changes, pad.heights[0], pad.text.split(" ").length);
+    pad.text = Array.from({ length: 101 }, (_, at) => 4 + at / 50).join("\n");
+    seen.push([[2000, 4000], [4000, 5100], [6100, 6000]].map(([x, y]) => Object.values(pad.beside({ x, y })).map(Math.round)));
+    return [seen, [Array(5).fill(5500), [6173, 5637, 5100, 4563, 4027], [5615, 5100, 4585, 4048, 3800], 7, 5615, 101, [[0, 0], [2000, 89], [4100, -45]]]];
   },
   "a ring is lit while its input has the focus": async () => {
     const { Figure } = await get("curve/drawing");
@@ -265,12 +310,13 @@ export const cases = {
     const { withoutWaiting } = await get("curve/made");
     inputs("costs", { tolerance: [10], feed: [1] });
     inputs("curved", { tolerance: [10], cutter: [8], place: [45] });
-    let places, heights;
+    let places, heights, ends;
     withoutWaiting(() => {
       const { draw } = costs();
+      ends = [-900, 9000].map((x) => draw({ tolerance: 10, feed: 5 }, 700)[3].tolerance.to({ x }));
       places = [1, 2, 4, 10, 20, 50].map((tolerance) => draw({ tolerance, feed: 5 }, 700)[3].tolerance.x);
       heights = [559, 560, 561].map((width) => curved().draw({ tolerance: 50, cutter: 8, place: 45 }, width)[1]);
     });
-    return [[places.every((x, at) => !at || x > places[at - 1]), heights.map((high) => high > 500)], [true, [true, false, false]]];
+    return [[places.every((x, at) => !at || x > places[at - 1]), heights.map((high) => high > 500), ends], [true, [true, false, false], [0, 100]]];
   },
 };
