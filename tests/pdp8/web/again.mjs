@@ -266,51 +266,6 @@ export const cases = {
     editor.put("a.pal", "HLT");
     return [[editor.text, editor.name, programs.get("a.pal")], ["HLT", "a 2.pal", "HLTx"]];
   },
-  "a tape is translated onto an empty punch": async () => {
-    const { Parts } = await get("bench/parts");
-    const done = [];
-    const made = await machine();
-    made.teletype.punch.frames.append(1);
-    const bench = {
-      machine: made, clock: { speed: 1 }, editor: { open: nothing, load: nothing, stopCounting: nothing }, shelf: { get: () => ({}) }, teletype: { mount: nothing },
-      switches: { press: (key) => done.push(key, made.teletype.punch.frames.length, bench.teletype.leverWaits) }, time: { setSpeed: nothing },
-    };
-    Object.assign(Object.create(Parts.prototype), { bench, name: "a.asc" }).translate();
-    return [done, ["start", 0, true]];
-  },
-  "a new part is neither translated nor cut yet": async () => {
-    const { Parts } = await get("bench/parts");
-    const parts = Object.assign(Object.create(Parts.prototype), { bench: { apart: { ask: () => new Promise(nothing) }, record: { parts: [] } } });
-    for (const id of ["part-translate", "part-cut"]) find(id).disabled = false;
-    find("part-options").querySelectorAll = () => [];
-    parts.punch();
-    return [["part-translate", "part-cut"].map((id) => find(id).disabled), [true, true]];
-  },
-  "counts begin at 0 each time": async () => {
-    const { Editor } = await get("bench/editor");
-    const bench = { machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs: {}, shelf: {} };
-    const editor = new Editor(bench);
-    editor.count({ checked: true });
-    const { counts } = editor;
-    const first = bench.machine.watch.observer === counts;
-    editor.count({ checked: false });
-    editor.count({ checked: true });
-    return [[first, editor.counts === counts, bench.machine.watch.observer === editor.counts], [true, false, true]];
-  },
-  "marks come under the exercise that is open": async () => {
-    const { Exercises } = await get("bench/exercises");
-    const exercises = { a: { title: "A", task: "" }, b: { title: "B", task: "" } };
-    let answer;
-    const bench = { record: { exercises: { ...exercises, add: exercises.a } }, editor: { name: "a.pal", text: "" }, programs: { get: nothing }, apart: { ask: () => new Promise((done) => (answer = done)) } };
-    const made = new Exercises(bench);
-    made.open("a");
-    const marking = made.markOpen();
-    made.open("b");
-    find("marks").innerHTML = "those of b";
-    answer({ right: true, points: 1, of: 1, said: "", wrong: [] });
-    await marking;
-    return [[find("marks").innerHTML, made.marks.read("a")], ["those of b", [1, 1, true]]];
-  },
   "Cut cuts again once all is cut": async () => {
     const [input] = await figure("whole", "time", 1000);
     const button = new Element();

@@ -23,30 +23,6 @@ function press(key, more = {}) {
 }
 
 export const cases = {
-  "of the tabs the one that is shown is in the row of Tab": async () => {
-    const panes = ["program", "exercises", "mill"].map((id) => Object.assign(new Element(), { id, dataset: { tab: id } }));
-    const { querySelectorAll } = page;
-    page.querySelectorAll = () => panes;
-    find("tabs").children = panes.map(({ id }) => Object.assign(new Element(), { dataset: { opens: id } }));
-    const bench = await desk();
-    const tabs = new (await get("bench/tabs")).Tabs(bench);
-    page.querySelectorAll = querySelectorAll;
-    const state = () => [tabs.kept, find("tabs").children.map(({ tabIndex, ariaSelected }) => [tabIndex, ariaSelected]), panes.map(({ hidden }) => hidden)];
-    const seen = [state()];
-    tabs.open("mill");
-    seen.push(state());
-    tabs.kept = "nothing";
-    bench.exercises = { sheet: false };
-    tabs.open("exercises");
-    seen.push(panes.map(({ hidden }) => hidden));
-    bench.exercises.sheet = true;
-    tabs.open("exercises");
-    seen.push(panes.map(({ hidden }) => hidden));
-    find("tabs").children = [];
-    return [seen, [
-      ["program", [[0, "true"], [-1, "false"], [-1, "false"]], [false, true, true]], ["mill", [[-1, "false"], [-1, "false"], [0, "true"]], [true, true, false]],
-      [false, false, true], [true, false, true]]];
-  },
   "a screen rests so long after the last touch": async () => {
     location.search = "?rest=12";
     const { RESTS, rest } = await import("./pdp8/web/bench/alone.mjs?rest");
@@ -73,26 +49,6 @@ export const cases = {
     }
     location.search = "";
     return [seen, Array(6).fill(true)];
-  },
-  "an exercise that is opened has no marks of the one before": async () => {
-    const { Exercises } = await get("bench/exercises");
-    const [add, sheet] = [{ title: "Add", task: "" }, { title: "Sheet", task: "", question: [{ name: "a", ask: "?", answer: 1 }] }];
-    const opened = [];
-    const bench = await desk({ record: { exercises: { add, sheet } }, editor: { name: "x.pal", begin: (name) => opened.push(name) }, programs: { get: (name) => (name === "add.pal" ? "HLT" : undefined) }, tabs: { open: nothing } });
-    const made = new Exercises(bench);
-    let wiped = 0;
-    find("marks").replaceChildren = () => (wiped += 1);
-    made.open("sheet");
-    made.answer({ name: "a", value: "1" });
-    made.answer({ name: "b", value: "2" });
-    made.open("add");
-    bench.editor.name = "add.pal";
-    made.open("add");
-    const answers = made.answers.read("sheet");
-    made.marks.keep("add", JSON.stringify([3, 5, false]));
-    made.open("sheet");
-    const fails = find("asked").innerHTML.includes('value="1"');
-    return [[wiped, opened, answers, fails, made.sheet], [4, ["add.pal"], { a: "1", b: "2" }, true, true]];
   },
   "an exercise's cases that failed are named, the others and hidden ones not": async () => {
     const { located, marks } = await get("bench/marker");

@@ -1,4 +1,4 @@
-/* global history, URL */
+/* global history, URL, window */
 // The room by itself (again.mjs): its pictures, sounds, keys and what the visitor types.
 
 import { crossed, drawing } from "./canvas.mjs";
@@ -117,6 +117,24 @@ export const cases = {
     });
     const own = "at the pace of 1971";
     return [said, [own, own, "2", "10", "30", "40", "50", "1\u202f240"]];
+  },
+  "in a hurry a picture that comes too slowly has fewer pixels, until there is no hurry": async () => {
+    const made = await drawn();
+    made.enter();
+    const parts = [];
+    made.scene.resize = (...[, , , part]) => parts.push(part);
+    const look = (speed, seconds, more = {}) => (Object.assign(made, { speed, playing: true, since: -1, live: false, hands: anything }, more), (made.tour.wall = 0), made.pass(seconds), made.coarse);
+    const slow = () => [1, 2, 3, 4].map(() => look(30, 0.09)).at(-1);
+    const seen = [look(30, 0.09), look(30, 0.09), look(30, 0.09), look(30, 0.001), look(20, 0.09), look(20, 0.001), look(30, 0.001), slow()];
+    seen.push(look(30, 0.09, { playing: false }), (made.show(), slow()), look(30, 0.09, { live: true }));
+    return [[seen, parts], [[false, false, true, true, false, false, false, true, false, true, false], [0.75, 1, 0.75, 1, 0.75, 1]]];
+  },
+  "the finer the window, the more pixels, but for a telephone and a wall of screens": async () => {
+    const made = await drawn();
+    const look = (width, devicePixelRatio) => (Object.assign(window, { devicePixelRatio }), (made.place.clientWidth = width), made.enter(), [made.scene.fine, made.fine]);
+    const seen = [[699, 3], [700, 3], [2600, 3], [2601, 3], [1200, 1], [1201, 1], [1000, 0]].map((given) => look(...given));
+    Object.assign(window, { devicePixelRatio: 1 });
+    return [seen, [[1.6, 1000], [2, 1800], [2, 1800], [1, 1800], [1, 1000], [1, 1800], [1, 1000]]];
   },
   "what is lit is what the act is about": async () => {
     const made = await drawn();
