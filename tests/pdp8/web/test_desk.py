@@ -1,6 +1,5 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
-import re
 from pathlib import Path
 
 import pytest
@@ -50,13 +49,6 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
     page.locator("#source").fill(HALT)
     assert page.evaluate("workbench.editor.assemble()")
-
-
-def test_a_source_goes_by_its_name_in_either_case(page: Page) -> None:
-    for name in ("MINE.PAL", "mine.txt", "Mine.Pa"):
-        _drop(page, name, HALT)
-        until(page, f"workbench.editor.name === {name!r}")
-        assert page.evaluate("workbench.editor.text") == HALT
 
 
 _PASTED = """(length) => {
@@ -178,23 +170,6 @@ def test_an_exercise_stands_beside_its_program(page: Page) -> None:
     assert task
     assert editor
     assert task["y"] + task["height"] <= editor["y"]
-
-
-def test_a_mark_is_in_the_list(page: Page) -> None:
-    """So many points of so many, then that all is right; of the cases that failed each has a button."""
-    right = form.read("add").solution
-    click(page, "[data-opens=exercises]", "#asked [data-click='exercises.begin']")
-    for source, mark in ((right.replace("DCA SUM", "DCA B"), ""), (right, "✓ Add two words")):
-        page.locator("#source").fill(source)
-        click(page, "#asked .go")
-        until(page, "document.getElementById('marks').textContent.includes(' points')")
-        points, of = re.findall(r"(\d+) of (\d+) points", page.locator("#marks").inner_text())[0]
-        until(
-            page,
-            f"document.getElementById('exercise').textContent.includes({mark or f'{points}/{of} Add'!r})",
-        )
-        assert (points == of) == bool(mark)
-        assert (page.locator("#marks h2 button").count() > 0) == (not mark)
 
 
 def test_where_it_went_wrong(page: Page, browser: Browser, tmp_path: Path, call: Call) -> None:
