@@ -11,6 +11,7 @@ SLOW = {
     "parts": pytest.mark.slow("computes the thesis's parts, 3 s"),
     "class": pytest.mark.slow("marks a class's answers, 6 s"),
     "inspect": pytest.mark.slow("measures walls, 5 s"),
+    "reels": pytest.mark.slow("copies DECtapes, 3 s"),
 }
 
 
