@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
+from io import UnsupportedOperation
 from typing import TYPE_CHECKING, Final, Literal
 
 import click
@@ -483,11 +484,19 @@ class _Run:
 
     def _tell_of_channel_8(self) -> None:
         """Say how to get text from what was printed: a pipe receives frames, with channel 8."""
-        if self.options.punch is not None or self.paged or not stat.S_ISFIFO(os.fstat(1).st_mode):
+        if self.options.punch is not None or self.paged or not _piped():
             return
         frames = self.machine.teletype.punch.tape
         if codes.recognise(frames) is codes.ASCII and not frames.isascii():
             command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
+
+
+def _piped() -> bool:
+    """Tell whether standard output is a pipe."""
+    try:
+        return stat.S_ISFIFO(os.fstat(sys.stdout.fileno()).st_mode)
+    except UnsupportedOperation:  # a stream of Python's own
+        return False
 
 
 def _check_options(options: Options, more: Sequence[str], reels_in: Collection[str]) -> None:
