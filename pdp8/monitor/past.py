@@ -33,6 +33,7 @@ def back(monitor: Monitor, *arguments: str) -> None:
         _measured(monitor, *some(arguments, _WHAT, 0, 2))
     frames = len(monitor.machine.teletype.printer.frames)
     monitor.expected = min(monitor.expected, frames)
+    monitor.matched = min(monitor.matched, frames)
     monitor.shown = min(monitor.shown, frames)
     monitor.say_where("back")
 

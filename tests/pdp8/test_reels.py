@@ -153,9 +153,3 @@ def test_a_disk_that_is_refused_fits_nothing(tmp_path: Path) -> None:
     (tmp_path / "whole.df32").write_bytes(bytes(65_536))
     do(monitor, f"attach df {tmp_path / 'whole.df32'}")
     assert [place.device for place in monitor.reels.mounted()] == ["df"]
-
-
-def test_a_disk_is_no_drive(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "d.df32").write_bytes(bytes(65_536))
-    assert "df: the drives are dt0 to dt7" in call("pdp8 run --dectape df=d.df32 hello.pal")[2]
-    assert "d.df32 is the source" in call("pdp8 run --disk df32=d.df32 --save-disk df32=d.df32 hello.pal")[2]

@@ -204,20 +204,3 @@ def test_a_first_frame_that_may_be_lost_is_named(
     assert said.count("the first frame of abc.asc came in with START") == warned
     assert shown.replace("\0\0\0\0", "\0\0\0") == punched
     assert "first frame" not in call("pdp8 run p.pal --reader abc.asc --quiet")[2]
-
-
-def test_a_tape_that_never_went_in_is_named(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "a.asc").write_bytes(b"A\r\n")
-    said = call("pdp8 run echo.pal --reader a.asc --reader a.asc --max-time 2")[2]
-    assert "a.asc did not go into the reader: the program did not wait for it" in said
-
-
-def test_a_source_in_pal8_is_found_and_taken(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "five.pal").write_text("*200\n\tTAD (5)\n\tHLT\n$\n")
-    for line in ("run five.pal", "monitor -"):
-        status, shown, said = call(f"pdp8 {line}", b"load five.pal\n")
-        assert status == 0
-        assert "five.pal: assembled as PAL8: in PAL III it has errors" in shown + said
-        status, shown, said = call(f"pdp8 {line} --dialect pal3", b"load five.pal\n")
-        assert status == 1
-        assert "five.pal:2:6: error: IC  0250  AT  0200" in said

@@ -45,19 +45,13 @@ pdp8 tape punch mark -> : mark: line 1, column 1: byte 377 is no text
 pdp8 tape punch accent -> : accent: line 2, column 1: 'é' is no ASCII character
 pdp8 tape punch --code eia shout -> : shout: line 1, column 2: '!' has no EIA code
 pdp8 tape punch -o socket line -> : socket: No such device or address
-pdp8 run . -> : .: Is a directory
-pdp8 run nowhere.bin -> : nowhere.bin: no such file
 pdp8 run cut.bin -> : cut.bin: frame 200:
-pdp8 run a.asc -> : a.asc: nothing but figures: no program, but a tape for the reader
 pdp8 run eia.pal --reader nowhere.asc -> : nowhere.asc: no such file
-pdp8 run hello.pal --line /dev/null -> : /dev/null: not a line
-pdp8 run --restore nothing -> : nothing: no such file
 pdp8 run --restore empty -> : empty: a saved state begins with
 pdp8 run hello.pal --trace . -> : .: Is a directory
 pdp8 run hello.pal --punch a.bin --trace /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --save /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --fast-punch /nowhere/x -> : /nowhere/x: No such file or directory
-pdp8 run hello.pal --punch line --no-clobber -> : line exists
 pdp8 run hello.pal --punch locked -> : locked: Permission denied
 pdp8 pal eia.pal -o line --no-clobber -> : line exists
 pdp8 pal eia.pal -o locked -> : locked: Permission denied
@@ -68,7 +62,6 @@ pdp8 run /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 tape info /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 pal -o x /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 run hello.pal --save '' -> : the name of a file is empty
-pdp8 run '' -> : the name of a file is empty
 pdp8 dis 'a\0b' -> : a␀b: NUL in the name of a file
 pdp8 run eia.pal --line 'a\0b' -> : a␀b: NUL in the name of a file
 pdp8 run '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
@@ -90,27 +83,11 @@ pdp8 tape hang -> there is no command 'hang'
 pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
 pdp8 part circel -> there is no command 'circel'; did you mean circle?
 pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
-pdp8 run -> give a PROGRAM, or --restore
-pdp8 run hello.pal --restore x -> give a PROGRAM or --restore FILE, not both
-pdp8 run --restore x --boot -> --boot does not go with --restore
-pdp8 run hello.pal --force -> --force means nothing for hello.pal: it is no tape that may be damaged.
-pdp8 run hello.pal --loader x -> --loader means nothing without --boot
-pdp8 run hello.pal --line x --reader y -> --line does not go with --reader
-pdp8 run hello.pal --no-clobber -> --no-clobber means nothing without --punch or --fast-punch or --printer
-pdp8 run --restore a.bin --force -> --force means nothing without PROGRAM
 pdp8 check --list add -> --list is used alone: leave out EXERCISE
 pdp8 check add --prove a.pal --json x -> is used with EXERCISE and --seed only: leave out ANSWER and --json
-pdp8 run hello.pal --start 9 -> not an octal number
-pdp8 run hello.pal --sr 10000 -> not between 0000 and 7777
+pdp8 run hello.pal --force -> --force means nothing for hello.pal: it is no tape that may be damaged.
 pdp8 run hello.pal --nonsense -> No such option
-pdp8 run hello.pal --max-time nan -> not between 0 and 1e9 seconds
-pdp8 run hello.pal --max-time soon -> not a number of seconds
-pdp8 run hello.pal --keyboard -> needs a terminal
-pdp8 run eia.pal circle.asc -> a tape goes into the reader: --reader circle.asc
 pdp8 run a.bin --reader a.asc --punch a.asc -> a.asc is the source; name another file
-pdp8 run a.bin --punch x --trace x -> two outputs go to x
-pdp8 run a.bin --trace - -> two outputs go to standard output
-pdp8 run - --reader - -> standard input can be read only once
 pdp8 tape clean circle.eia -o circle.eia -> circle.eia is the source; name another file
 pdp8 tape convert a.bin --to rim -o ./a.bin -> a.bin is the source; name another file
 pdp8 run a.bin --punch hard.bin -> a.bin is the source; name another file
@@ -124,9 +101,6 @@ pdp8 check add --export-student ana.pal -> ana.pal is there, and is no JSON
 pal --json ana.pal ben.pal -> ana.pal is there, and is no JSON
 pal --listing ana.pal ben.pal -> ana.pal is there, and is no text
 pal -o ana.pal ben.pal -> ana.pal is there, and is no tape
-pdp8 run ben.pal --save ana.pal -> ana.pal is there, and is no JSON
-pdp8 run ben.pal --punch ana.pal -> ana.pal is there, and is no tape
-pdp8 run ben.pal --trace ana.pal -> ana.pal is there, and is no text
 pdp8 nc plot circle.eia -o ana.pal -> ana.pal is there, and is no SVG
 pdp8 tape show --svg ana.pal circle.eia -> ana.pal is there, and is no SVG
 """

@@ -34,14 +34,6 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     assert ran.returncode == 0
 
 
-def test_a_program_without_a_word_where_it_is_started_is_said(shell: Shell, tmp_path: Path) -> None:
-    (tmp_path / "high.pal").write_text("*2000\n\tHLT\n\tJMP 0\n*4000\n\t7\n$\n")
-    ran = shell("pdp8 run high.pal </dev/null")
-    assert b"high.pal: no word at 0200, where it is started; it has 2000-2001, 4000, and" in ran.stderr
-    assert b"no word" not in shell("pdp8 run high.pal --start 2000 </dev/null").stderr
-    assert b"no word" not in shell("pdp8 run high.pal --quiet </dev/null").stderr
-
-
 def test_the_live_teletype_and_the_way_to_the_monitor_and_back() -> None:
     terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard")
     terminal.until(b"Ctrl-]")

@@ -7,11 +7,9 @@ import pytest
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
-from pdp8.computer.rack.kw8 import KW8
-from pdp8.monitor.arguments import MonitorError, Quoted
+from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import find
 from pdp8.monitor.prompt import Monitor
-from pdp8.monitor.running import text_of
 from tests.pdp8.monitor import do
 
 LONGEST = (
@@ -53,12 +51,6 @@ def test_a_command_may_be_shortened() -> None:
         "SE": "set",
     }
     assert {word: find(word).name for word in names} == names
-
-
-def test_codes_by_their_names() -> None:
-    codes = {"BEL": 7, "CR": 13, "LF": 10, "FF": 12, "RUBOUT": 127, "rubout": 127, "A": 65}
-    assert {name: ord(text_of(name)) for name in codes} == codes
-    assert text_of(Quoted("BEL")) == "BEL"
 
 
 def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
@@ -171,14 +163,3 @@ def test_what_is_shown_and_expected_is_what_is_new() -> None:
     monitor.machine.teletype.printer.frames.extend(b"D")
     do(monitor, "page more")
     assert said[-1] == "D"
-
-
-def test_show_names_each_device_that_is_fitted() -> None:
-    said: list[str] = []
-    monitor = Monitor(said.append, Machine([*one_of_each(), KW8()]))
-    do(monitor, "set df enabled")
-    do(monitor, "show")
-    expected = (
-        "PDP-8/L, 4K of core, ASR-33 Teletype, PC8/L reader and punch, KW8 (device 13), DF32 (device 60)"
-    )
-    assert said[0] == f"{expected}; no EAE"

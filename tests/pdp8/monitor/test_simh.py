@@ -10,7 +10,6 @@ from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import binary, dectape, rim
-from tapes.errors import WorkError
 from tests.pdp8.monitor import do
 
 TABLE = (Path(__file__).parents[3] / "docs" / "simh.md").read_text("utf-8").partition("|---")[2]
@@ -76,28 +75,6 @@ def test_a_line_of_the_table(row: list[str]) -> None:
             assert played(meant) == state
 
 
-@pytest.mark.parametrize(
-    ("line", "said"),
-    [
-        ("e MQ", "no EAE"),
-        ("e if", "4K of core"),
-        ("set rf enabled", "an RF08 disk"),
-        ("attach rk0 os8.rk05", "an RK8E disk, which no PDP-8/L had"),
-        ("boot -d rk0", "an RK8E disk"),
-        ("set clk enabled", "a KW8 is fitted by pdp8 monitor --device kw8"),
-        ("deposit rf0 wc 3", "an RF08 disk, which is not emulated"),
-        ("deposit -m 200 CLA CLB", "CLA CLB: no instruction"),
-        ("! ls", "no command of the system"),
-        ("dump core.bin", "punch 0-7577"),
-        ("if not exist x goto y", "goto is for scripts"),
-        ("if (AC == 0) echo x", "if [not] exist FILE COMMAND"),
-    ],
-)
-def test_what_is_not_here_says_what_is(line: str, said: str) -> None:
-    with pytest.raises(MonitorError, match=re.escape(said)):
-        do(Monitor(print), line)
-
-
 def test_core_becomes_a_tape() -> None:
     said: list[str] = []
     monitor = Monitor(said.append)
@@ -140,26 +117,6 @@ def test_a_script_of_simh() -> None:
     assert said[0] == "no PDP-8/L had 32K, nor three bits of field"
     assert said[-2:] == ["halt; 0.000003 s; next 0202  0000          AND 0000", "AC 7777"]
     assert "no" not in said
-
-
-def test_fields_are_those_of_simh() -> None:
-    said: list[str] = []
-    monitor = Monitor(said.append)
-    for line in ("set cpu 8k", "set df 1", "deposit sf 11", "e if,df,ib,sf", "assert df 1", "e state"):
-        do(monitor, line)
-    assert [type(each).__name__ for each in monitor.machine.devices] == ["Teletype"]
-    assert said[:4] == ["IF 0000", "DF 0001", "IB 0000", "SF 0011"]
-    assert said[4].endswith("  IF 0 DF 1 IB 0 SF 11 EMA 0")
-    for line in ("set df 2", "set sf 20", "d if 2"):
-        with pytest.raises(MonitorError, match="not between"):
-            do(monitor, line)
-    Path("far.pal").write_text("*200\nHLT\nFIELD 1\n*200\n1\n$\n")
-    do(monitor, "load far.pal", "assert 10200 1")
-    do(monitor, "deposit 10200 0", "set cpu 4k")
-    with pytest.raises(MonitorError, match=r"df: this machine has 4K of core.*set cpu 8k"):
-        do(monitor, "e df")
-    with pytest.raises(WorkError, match="a PDP-8/L with 4K of core ends at 07777"):
-        do(monitor, "load far.pal")
 
 
 def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
