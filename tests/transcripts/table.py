@@ -37,11 +37,14 @@ def block_answered(block: str) -> str:
     """Return a block with what its commands answer now, in a folder of its own."""
     lines: list[str] = []
     said: list[str] = []
+    before: Mapping[str, bytes] | None = None
     with folder(FILES), shelf.watched():
         monitor = Monitor(said.append)
         for line in block.splitlines():
             if line.startswith(("#", "% ", "$ ", "* ")):
                 lines.append(line)
+            if line.startswith(("% ", "$ ")):
+                before = None
             if line.startswith("% "):
                 name, text = line[2:].split(" = ", 1)
                 text = text.replace("|", "\n").replace("¦", "|")
@@ -49,20 +52,23 @@ def block_answered(block: str) -> str:
             elif line.startswith("$ "):
                 lines += _answer(line[2:])
             elif line.startswith("* "):
+                before = existing() if before is None else before
                 lines += _prompted(monitor, said, line[2:])
+                after = existing()
+                lines += _written(after, before)
+                before = after
     return "\n".join(lines)
 
 
 def _prompted(monitor: Monitor, said: list[str], line: str) -> Iterator[str]:
     said.clear()
-    error, before = "", existing()
+    error = ""
     try:
         do(monitor, line)
     except WorkError as refusal:
         error = f"{refusal}\n"
     yield from _stream("  ", "".join(f"{each}\n" for each in said).encode())
     yield from _stream("? ", error.encode())
-    yield from _written(existing(), before)
 
 
 def _answer(line: str) -> Iterator[str]:
