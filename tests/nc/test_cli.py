@@ -16,7 +16,7 @@ from nc.plot import plot
 from nc.talysurf import talysurf
 from pdp8.cli.nc import nc
 from tapes.paper import sized
-from tests.conftest import Call, Shell, case
+from tests.conftest import Call, Shell
 from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
 
 
@@ -174,77 +174,6 @@ def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:
         assert b"block 41, row 4: unknown preparatory function 2" in done.stderr
     for command in ("plot -o out", "export --gcode -o out", "inspect --talyrond out"):
         assert shell(f"pdp8 nc {command}; test ! -e out", bad).returncode == 0
-
-
-MISUSE = {
-    "cut": {
-        "--feed-error 5,-21,0": "-21 % is not allowed: give -20 to 20",
-        "--feed-error nan": "nan % is not allowed: give -20 to 20",
-        "--feed-error 1,2": "'1,2' is not X,Y,Z: 3 numbers separated by commas",
-        "--feed-error fast": "'fast' is not X,Y,Z: 3 numbers separated by commas",
-        "--feed-code 0": "0 is not in the range 1<=x<=18.",
-        "--tool-change -0.1": "-0.1 is not from 0 to 3600",
-        "--tool-change 3601": "3601 is not from 0 to 3600",
-        "--read-seconds -0.1": "-0.1 is not from 0 to 3600",
-        "--passes 0": "0 is not in the range x>=1.",
-        "--peck 0": "0 is not from 0.001 to 5",
-        "ellipse.eia": "Got unexpected extra argument (ellipse.eia)",
-    },
-    "plot": {
-        "--cutter 0": "0 is not above 0 to 10",
-        "--cutter nan": "nan is not above 0 to 10",
-        "--tolerance 1cm": "'1cm' is not a length, such as .005, .005in or 0.127mm",
-        "--tolerance 26mm": "1.02362 is not above 0 to 1",
-        "--tolerance 0": "0 is not above 0 to 1",
-        "--zoom 0.9": "0.9 is not from 1 to 1000",
-        "--block 0": "0 is not in the range x>=1.",
-        "--at 4": "'4' is not X,Y: 2 numbers separated by commas",
-    },
-    "inspect": {
-        "--circle 4,4": "'4,4' is not X,Y,RADIUS: 3 numbers separated by commas",
-        "--ellipse 4,4,1": "'4,4,1' is not X,Y,A,B: 4 numbers separated by commas",
-        "--line 4,4": "'4,4' is not X1,Y1,X2,Y2: 4 numbers separated by commas",
-        "--origin 4": "'4' is not X,Y: 2 numbers separated by commas",
-        "--range 0 --function x": "'0' is not FROM,TO: 2 numbers separated by commas",
-        "--stretch inf,2": "'inf,2' is not FROM,TO: 2 numbers separated by commas",
-        "--talyrond e.PNG": "pictures are written only as SVG; name it .svg",
-        "--stretch 1,2": "--stretch means nothing without --talysurf.",
-        "--circle 4,4,1 --line 1,1,2,2": "--circle does not go with --line.",
-        "--function x": "--function means nothing without --range.",
-        "--side above": "--side means nothing without --function, --profile, --circle or --ellipse.",
-        "--side above --circle 4,4,1": "--side of a --circle is outside or inside.",
-        "--range 0,1": "--range means nothing without --function.",
-    },
-    "export": {
-        "": "give --gcode or --dxf, or a file whose name says so: -o FILE.ngc, -o FILE.dxf",
-        "-o e.dxf --gcode": "e.dxf is the name of DXF, not of G-code",
-        "-o e.ngc --dxf": "e.ngc is the name of G-code, not of DXF",
-        "-o e.ngc --circle 4,4,1": "--circle is not for G-code.",
-        "-o e.dxf --safe .5": "--safe is not for DXF.",
-        "--gcode --dxf": "--dxf does not go with --gcode.",
-        "--gcode --circle 4,4,1": "--circle is not for G-code.",
-        "--gcode --depth": "--depth does not go with --gcode.",
-        "--dxf --peck 1": "--dxf does not go with --peck.",
-        "--dxf --safe .5": "--safe does not go with --dxf.",
-        "--gcode --as-1971 --shift 1,1": "--shift does not go with --as-1971.",
-        "--gcode --as-1971 --cutter 1": "--as-1971 does not go with --cutter.",
-        "--gcode --safe 0": "0 is not from 0.001 to 5",
-        "--gcode --shift 1": "'1' is not X,Y: 2 numbers separated by commas",
-    },
-}
-
-
-@pytest.mark.parametrize("command", MISUSE)
-def test_misuse(command: str) -> None:
-    """A message has both limits."""
-    for given, says in MISUSE[command].items():
-        with case(command, given):
-            done = CliRunner().invoke(nc, [command, "circle.eia", *given.split()])
-            said = done.output.splitlines()[-1]
-            assert done.exit_code == 2
-            assert said.startswith("Error: ")
-            assert re.fullmatch(f"Error: (.*: )?{re.escape(says)}", said)
-            assert not given or any(word in said for word in given.split())
 
 
 _ORIGIN = "4,5 in; the centre of a profile: 4,4 in"
