@@ -244,7 +244,7 @@ export const cases = {
     const one = apart.ask("a", [], 0.01).catch(said), two = apart.ask("b", [], 9).catch(said);
     const first = apart.worker;
     await one;
-    const ended = [await one, await two, apart.worker];
+    const ended = [await one, await two, apart.worker, apart.asked.size];
     const three = apart.ask("c", [1], 9);
     const other = apart.worker !== first;
     apart.worker.onmessage({ data: [2, "made"] });
@@ -257,7 +257,7 @@ export const cases = {
     globalThis.onmessage({ data: [8, "none", []] });
     delete globalThis.onmessage;
     const late = "it took more than 0.01 s, and was ended";
-    return [[ended, other, await three, await four, posted[0], posted[1].length], [[late, late, null], true, "made", "why not", [7, 3], 3]];
+    return [[ended, other, await three, await four, posted[0], posted[1].length], [[late, late, null, 0], true, "made", "why not", [7, 3], 3]];
   },
   "a session is found again part by part": async () => {
     const { Session } = await get("bench/session");

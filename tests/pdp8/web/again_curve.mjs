@@ -248,12 +248,14 @@ export const cases = {
     figure.now();
     seen.push(state(), figure.said.innerHTML);
     svg.hear("pointerup");
-    const { withoutWaiting } = await get("curve/made");
-    let wide, narrow;
+    const { Wanted, withoutWaiting } = await get("curve/made");
+    let wide, narrow, waits, refused;
+    try { figure.draw({ tolerance: 33, place: 0 }, 700); } catch (wanted) { waits = wanted instanceof Wanted; }
+    withoutWaiting(() => ([, , refused] = figure.draw({ tolerance: 0, place: 0 }, 700)));
     withoutWaiting(() => ([wide, narrow] = [60, 20].map((within) => figure.draw({ tolerance: within, place: 0 }, 700)[3].tolerance)));
     const band = [wide.y < narrow.y, wide.x === narrow.x, wide.to({ dy: 0, start: 20 }), wide.to({ dy: -30, start: 20 })];
     globalThis.setTimeout = real;
-    return [[seen, said.includes("goes another way"), along, band], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30]]];
+    return [[seen, said.includes("goes another way"), along, band, waits, refused.slice(0, 30)], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30], true, "It cannot be cut: tolerance 0 "]];
   },
   "a stroke of the finger is taken from end to end, and what lies beside it meets it": async () => {
     const { Pad } = await get("pad");

@@ -266,8 +266,15 @@ export const cases = {
       const { x, y, w, h } = within(form, place);
       return x < 0 || y < 0 || x + w > form.w + 0.01 || y + h > form.h + 0.01;
     }).length);
+    const { Hands } = await get("room/hands");
+    const buttons = SWITCHES.map(() => ({ style: { setProperty(side, share) { this[side] = parseFloat(share); } } }));
+    const laid = [WHOLE, APART].map((form) => {
+      Object.assign(Object.create(Hands.prototype), { buttons }).lay(form);
+      const { left, top, width, height } = buttons[0].style;
+      return [left, top, width, height, buttons.filter(({ style }) => style.left + style.width > 100.1 || style.top + style.height > 100.1).length];
+    });
     const places = SWITCHES.map((place) => { const { x, y } = within(APART, place); return `${x.toFixed(1)} ${y.toFixed(1)}`; });
-    return [[out, new Set(places).size], [[0, 0], 20]];
+    return [[out, new Set(places).size, laid], [[0, 0], 20, [[12.68, 70.29, 3.58, 20, 0], [1.23, 33.09, 7.6, 12.73, 0]]]];
   },
   "paper is drawn anew where it is seen larger": async () => {
     const { Page } = await get("room/teletype");
