@@ -112,10 +112,11 @@ def text(packed: Sequence[int]) -> str:
 
 def from_text(lines: str) -> list[int]:
     """Return the words of a text: mark parity, CR LF after each line, ^Z. Raises TapeError if not ASCII."""
-    try:
-        plain = lines.replace("\r\n", "\n").replace("\n", "\r\n").encode("ascii")
-    except UnicodeEncodeError as error:
-        raise TapeError(f"character {error.start + 1}, {lines[error.start]!r}, is not ASCII") from None
+    for number, line in enumerate(lines.split("\n"), 1):
+        if not line.isascii():
+            other = next(char for char in line if not char.isascii())
+            raise TapeError(f"line {number}: {other!r} is not ASCII")
+    plain = lines.replace("\r\n", "\n").replace("\n", "\r\n").encode("ascii")
     return pack(bytes(byte | 0o200 for byte in plain))
 
 

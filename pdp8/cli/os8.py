@@ -88,7 +88,13 @@ def _packed(content: bytes, kind: str) -> list[int]:
     if kind == "tape":
         return os8.pack(content)
     if kind == "text":
-        return os8.from_text(content.decode("utf-8", "surrogateescape"))
+        try:
+            return os8.from_text(content.decode())
+        except UnicodeDecodeError as error:
+            value = f"{content[error.start]:03o}"
+            raise WorkError(
+                f"no text: byte {error.start} is {value}; --as tape takes the frames of a tape"
+            ) from None
     words = [int.from_bytes(content[at : at + 2], "little") for at in range(0, len(content), 2)]
     if len(content) % 2 or any(word > 0o7777 for word in words):
         raise WorkError("these are no words of 12 bits, each in two bytes, the low one first")

@@ -176,7 +176,8 @@ def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_r
     done = shell(f"pdp8 run --restore s {given}")
     assert (done.returncode, unread in done.stderr) == (0, True)
     assert_same_tape(first.stdout + done.stdout, WHOLE[:12])
-    for line in ("< /dev/null", f"--reader a.asc --reader - {given}", f"--reader a.asc {given}"):
+    others = f"--reader a.asc --reader - {given}", f"--reader a.asc {given}", f"--quiet {given}"
+    for line in ("< /dev/null", *others):
         assert unread not in shell(f"pdp8 run --restore s {line} > rest").stderr
 
 

@@ -8,10 +8,15 @@ from collections.abc import Callable
 from pathlib import Path
 from unittest.mock import Mock
 
+import click
 import pytest
 
+from pdp8.cli.running.feed import Feed
+from pdp8.cli.running.pacing import _SILENT, _Silence
 from pdp8.cli.shared import command
 from pdp8.cli.shared.progress import Bar, Busy
+from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.machine import Machine
 from tests.commands import Terminal
 
 ERASED = "\x1b[1A\x1b[2K"
@@ -99,3 +104,30 @@ def test_colours_are_a_terminal_s_unless_no_color_is_set(
     said = screen(True)
     command.tell("\x1b[1mA\x1b[0m", styled=True)
     assert said.getvalue() == ("\x1b[1mA\x1b[0m\n" if shown else "A\n")
+
+
+@pytest.mark.parametrize(("terminal", "wanted"), [(True, True), (False, True), (True, False)])
+def test_a_silence_is_said_once_and_begins_again_with_each_frame(
+    terminal: bool, wanted: bool, screen: Screen, clock: list[float]
+) -> None:
+    machine = Machine()
+    machine.fit(HighSpeed())
+    feed, shown = Feed(machine.teletype.reader, []), screen(terminal)
+    silence = _Silence(machine, feed, wanted)
+    ways = machine.teletype.punch.frames, machine.highspeed.punch.frames, None
+    with click.Context(click.Command("run")):
+        for frames in ways:
+            for seconds in (0.0, _SILENT):
+                clock[0] += seconds
+                silence.look()
+                assert shown.getvalue() == ""
+            if frames is not None:
+                clock[0] += 1
+                frames.append(0o301)
+                silence.look()
+                assert shown.getvalue() == ""
+        for _ in range(2):
+            clock[0] += 0.1
+            silence.look()
+            assert shown.getvalue().count("nothing is read or punched") == (terminal and wanted)
+            clock[0] += _SILENT
