@@ -120,23 +120,18 @@ def _pursue(monitor: Monitor, goal: Goal) -> None:
     """Run to `goal`; report how the run ended if no text ended it."""
     if goal.times:
         monitor.expected = len(monitor.machine.teletype.printer.frames)
-        _send(monitor)
+    while monitor.once_running:  # keys of `send`
+        monitor.once_running.pop(0)()
+    if goal.times:
         _wait_for(monitor, goal)
         times = f" {counted(goal.times, 'times')}" if goal.times > 1 else ""
         monitor.say(f"{_named(goal.text)}{times}; {monitor.machine.elapsed:,.2f} s")
         return
-    _send(monitor)
     if monitor.live is not None:
         stop = monitor.live(goal.seconds)
     else:
         *_, stop = slices(monitor, goal.seconds)
     monitor.say_stop(stop)
-
-
-def _send(monitor: Monitor) -> None:
-    """Press the keys that waited for the machine to run."""
-    while monitor.once_running:
-        monitor.once_running.pop(0)()
 
 
 def _wait_for(monitor: Monitor, goal: Goal) -> None:

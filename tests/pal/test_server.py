@@ -350,3 +350,12 @@ def test_a_pointer_is_offered_unless_its_name_is_taken() -> None:
         document = one(f"*200\n\tJMP FAR\n{name},\t0\n*400\nFAR,\tHLT\n$\n")
         (found,) = (each for each in document.found(0) if each.code == "IR")
         assert len([*fixes(document, 0, found)]) == offered
+
+
+@pytest.mark.parametrize(("words", "line"), [("*200; JMP FAR", 1), ("*200\n\tCLA\n\tJMP FAR\nA,\t0", 4)])
+def test_a_pointer_lies_before_the_next_origin(words: str, line: int) -> None:
+    """The line of the reference itself, which may have an origin, does not end its page."""
+    document = one(f"{words}\n*400\nFAR,\tHLT\n$\n")
+    (found,) = (each for each in document.found(0) if each.code == "IR")
+    ((_, edits),) = fixes(document, 0, found)
+    assert edits[-1][0].line == line

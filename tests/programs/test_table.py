@@ -100,6 +100,13 @@ def test_an_angle_and_a_radius_are_polar() -> None:
         )
 
 
+def test_a_unit_has_several_names_and_angles_two_signs() -> None:
+    assert read(b"1 in,2 inch\n3 inch,4 in\n0 in,1 in\n").places == [(1, 2), (3, 4), (0, 1)]
+    for sign in "", "-":
+        degrees = read(f"theta,r\n0,2\n{sign}90,1\n{sign}180,1\n".encode()).places
+        assert degrees[1] == pytest.approx((0, -1 if sign else 1), abs=1e-9)
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [

@@ -90,6 +90,15 @@ def test_a_file_that_was_not_closed_is_none_as_in_os8() -> None:
     assert os8.directory(os8.insert(image, "FORT.PA", [5]))[0].name == "FORT.PA"
 
 
+@pytest.mark.parametrize(("more", "date"), [((), 0), ((0o1234,), 0o1234), ((0o1234, 0o5670), 0o1234)])
+def test_the_first_additional_word_of_an_entry_is_its_date(more: tuple[int, ...], date: int) -> None:
+    """A directory may have none, one or more of them."""
+    image = formatted(-2, BLOCK, 0, 0, -len(more), 0o0102, 0, 0, 0o2001, *more, -2, 0, 2 - FREE)
+    file, free = os8.directory(image)
+    assert file == os8.Entry("AB.PA", BLOCK, 2, date)
+    assert (free.name, free.block, free.length) == ("", BLOCK + 2, FREE - 2)
+
+
 def test_a_file_may_fill_the_free_place() -> None:
     image = os8.insert(empty(), "WHOLE", [0] * (FREE * 256))
     assert [(each.name, each.length) for each in os8.directory(image)] == [("WHOLE", FREE)]

@@ -53,6 +53,20 @@ def test_the_printer_interrupts_only_when_it_is_let() -> None:
         assert rack(f"{enable} 6001 6664 5203 1/ 7402", LP08()).run(0.1).reason == reason
 
 
+@pytest.mark.parametrize(
+    ("digit", "skips", "flag", "enabled"),
+    [(1, 1, 1, 1), (2, 0, 0, 1), (3, 0, 1, 1), (4, 0, 1, 1), (5, 0, 1, 1), (6, 0, 0, 1), (7, 0, 1, 0)],
+)
+def test_what_each_instruction_does_to_the_printers_flag_and_its_interrupt(
+    digit: int, skips: int, flag: int, enabled: int
+) -> None:
+    """As SIMH's pdp8_lp.c has it: 666x, at 0200, with flag and interrupt on."""
+    m = rack(f"666{digit} 7402 7402", printer := LP08())
+    printer.flag = printer.enabled = 1
+    m.run()
+    assert (m.pc - 0o202, printer.flag, printer.enabled) == (skips, flag, enabled)
+
+
 def test_two_teletypes_echo_each_its_own() -> None:
     """JMP .+5 where KSF of the one skips; each character goes back to where it came from."""
     m = rack("6031 5204 6036 6046 6401 5200 6406 6416 5200", PT08())

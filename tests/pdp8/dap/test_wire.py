@@ -145,9 +145,9 @@ def test_a_program_that_waits_is_told_once(monkeypatch: pytest.MonkeyPatch, tmp_
 def test_what_has_no_word_of_core_is_not_watched(tmp_path: Path) -> None:
     (tmp_path / "own.pal").write_text("*200\nAC,\tHLT\n$\n")
     launch = ("launch", {"program": str(tmp_path / "own.pal"), "stopOnEntry": True})
-    registers, symbols = (("dataBreakpointInfo", {"name": "AC", "variablesReference": at}) for at in (1, 3))
-    *_, register, symbol = held(launch, registers, symbols)
-    assert (register["body"]["dataId"], symbol["body"]["dataId"]) == (None, "0200")
+    of = [("dataBreakpointInfo", {"name": "AC", "variablesReference": at}) for at in (1, 3)]
+    *_, register, symbol, expression = held(launch, *of, ("dataBreakpointInfo", {"name": "AC"}))
+    assert [each["body"]["dataId"] for each in (register, symbol, expression)] == [None, "0200", "0200"]
 
 
 def test_every_request_is_answered(tmp_path: Path) -> None:

@@ -34,6 +34,23 @@ def test_what_an_expectation_notices_is_told() -> None:
             assert told == [*scores.said(found), *why, *hints]
 
 
+@pytest.mark.parametrize(
+    ("looked", "said"),
+    [
+        ("executed={A=2}", "A is executed or called 2 times at least."),
+        ("callers={A=2}", "A is called from 2 places at least."),
+        ("indirect=['A']", "One of the words A serves as a pointer, by I."),
+        ("unchanged=['A']", "The program leaves A unchanged."),
+        ("tape='A'\nnul='ignored'", "Blank frames that are punched do not count."),
+    ],
+)
+def test_the_task_names_what_is_looked_at_besides_the_results_once(looked: str, said: str) -> None:
+    """After the first START, after a further one, and after both."""
+    first, again = f"core={{B=1}}\n{looked}", f"[[case.again]]\n{looked}"
+    for case in (looked, f"core={{B=1}}\n{again}", f"{first}\n{again}"):
+        assert exercise(case).asked == f"t\n- {said}"
+
+
 def test_the_inputs_of_the_trial_that_failed_are_told() -> None:
     keys, deposit = f'keys="{"A" * 24}"', 'deposit={"300"=7,"301"="A"}'
     second = f"ac=2\nsr=0o17\nreader={[0o200, 1] + [2] * 23}\n{keys}\n{deposit}"

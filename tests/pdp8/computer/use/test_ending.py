@@ -274,11 +274,12 @@ def test_what_is_waited_for(words: str, tape: bytes | None, said: str, hands: li
         assert "a key" not in sentences
 
 
-def test_a_lever_at_stop() -> None:
-    m = machine(KSF, b"AB")
+@pytest.mark.parametrize(("tape", "hand"), [(b"AB", "lever"), (None, "tape")])
+def test_a_lever_at_stop(tape: bytes | None, hand: str) -> None:
+    m = machine(KSF, tape)
     m.teletype.reader.lever(False)
     m.run(seconds=9)
-    assert ending.hands(m, ending.waits_for(m)) == ["keyboard", "lever"]
+    assert ending.hands(m, ending.waits_for(m)) == ["keyboard", hand]
 
 
 @pytest.mark.parametrize("what", [ending.LOST, ending.UNREAD])
