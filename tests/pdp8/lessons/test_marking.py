@@ -46,7 +46,7 @@ def test_what_an_expectation_notices_is_told() -> None:
 )
 def test_the_task_names_what_is_looked_at_besides_the_results_once(looked: str, said: str) -> None:
     """After the first START, after a further one, and after both."""
-    first, again = f"core={{B=1}}\n{looked}", f"[[form.again]]\n{looked}"
+    first, again = f"core={{B=1}}\n{looked}", f"[[case.again]]\n{looked}"
     for form in (looked, f"core={{B=1}}\n{again}", f"{first}\n{again}"):
         assert exercise(form).asked == f"t\n- {said}"
 
