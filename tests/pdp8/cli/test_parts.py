@@ -6,19 +6,21 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import Mock
 
 import click
 import pytest
 
 from pal.assembly import MOST
 from pdp8 import cli, shelf
-from pdp8.cli import assemble, check, nc, nc_options, replay, root, tape, thesis
+from pdp8.cli import assemble, check, monitor, nc, nc_options, replay, root, tape, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
-from pdp8.cli.running import feed
+from pdp8.cli.running import feed, keyboard
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
+from pdp8.monitor.prompt import Monitor
 from pdp8.replay.figures import COLUMNS
 from tapes import binary
 from tapes.errors import WorkError
@@ -433,3 +435,45 @@ def test_a_doubtful_frame_is_cleaned_only_where_it_is_accepted(call: Call, tmp_p
     assert call("pdp8 tape clean good.eia -o a.eia")[0] == 0
     assert call("pdp8 tape clean bad.eia -o b.eia")[0] == 1
     assert not (tmp_path / "b.eia").exists()
+
+
+def test_the_page_of_a_replay_replaces_no_other_file_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("pdp8.replay.desk.desk", lambda afternoon: {"a.html": b"A"})
+    monkeypatch.setattr("pdp8.web.workbench.page", lambda afternoon: "B")
+    afternoon: Any = SimpleNamespace()
+    with click.Context(replay.replay):
+        for name in ("of/a.html", "./of/../of/a.html"):
+            with pytest.raises(click.UsageError, match="is the name of another file of the replay"):
+                replay._leave(afternoon, "of", name)
+            assert not Path("of").exists()
+        for name in ("a.html", "of/b.html", None):
+            replay._leave(afternoon, "of", name)
+            assert Path("of/a.html").read_text() == "A"
+            assert name is None or Path(name).read_text() == "B"
+
+
+@pytest.mark.parametrize(("left", "shown"), [(False, []), (True, ["cont goes back into the program"])])
+def test_the_way_back_into_the_program_is_said_once_who_left_it(
+    left: bool, shown: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = ["deposit 200 5200", "go 200 0.1", "cont 0.1", "quit"]
+    terminal = Mock(wraps=keyboard.Terminal())
+    terminal.run = lambda machine, seconds, *_: (machine.run(seconds or 1), left)
+    terminal.say = print
+    monkeypatch.setattr(keyboard, "Terminal", lambda: terminal)
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    monkeypatch.setattr(monitor, "_typed", lambda: iter(lines))
+    monitor.converse(Monitor(print))
+    said = capsys.readouterr().out.splitlines()
+    assert [line for line in said if "goes back" in line] == shown
+
+
+def test_the_monitor_at_a_terminal_says_how_much_core_there_is(
+    call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(monitor, "converse", lambda made: None)
+    said = "PDP-8/L, 4K. help tells what there is; quit leaves.\n"
+    assert call("pdp8 monitor", terminal=True) == (0, said, "")
