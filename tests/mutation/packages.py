@@ -5,6 +5,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 
+TABLES = "tests/transcripts/test_transcripts.py"
+"""What commands do, each of which calls several packages."""
+
 PACKAGES = {
     "tapes": (
         "tapes",
@@ -15,14 +18,15 @@ PACKAGES = {
             *(f"tests/pdp8/cli/test_{name}.py" for name in ("files", "loading", "refusals", "root")),
             "tests/programs/test_functions.py",
             "tests/test_notebook.py",
+            TABLES,
         ],
     ),
     "photographs": ("tapes/photograph", ["tests/tapes/photograph/test_*.py"]),
     "pal": ("pal", ["tests/pal/test_*.py", "tests/test_editors.py", "tests/test_notebook.py"]),
-    "programs": ("programs", ["tests/programs/test_*.py"]),
-    "nc": ("nc", ["tests/nc/test_*.py", "tests/tapes/test_hydrapoint.py", "tests/test_notebook.py"]),
-    "lessons": ("pdp8/lessons", ["tests/pdp8/lessons/test_*.py", "tests/test_lesson_kit.py"]),
-    "monitor": ("pdp8/monitor", ["tests/pdp8/monitor/test_*.py", "tests/pdp8/cli/test_files.py"]),
+    "programs": ("programs", ["tests/programs/test_*.py", TABLES]),
+    "nc": ("nc", ["tests/nc/test_*.py", "tests/tapes/test_hydrapoint.py", "tests/test_notebook.py", TABLES]),
+    "lessons": ("pdp8/lessons", ["tests/pdp8/lessons/test_*.py", "tests/test_lesson_kit.py", TABLES]),
+    "monitor": ("pdp8/monitor", ["tests/pdp8/monitor/test_*.py", "tests/pdp8/cli/test_files.py", TABLES]),
     "computer": ("pdp8/computer", ["tests/pdp8/computer/**/test_*.py"]),
     "dap": ("pdp8/dap", ["tests/pdp8/dap/test_*.py"]),
     "cli": (
@@ -31,6 +35,7 @@ PACKAGES = {
             *("tests/pdp8/cli/test_*.py", "tests/options/test_*.py", "tests/*/test_cli.py"),
             *("tests/pdp8/*/test_command.py", "tests/programs/test_part_command.py"),
             *(f"tests/pdp8/lessons/test_{name}.py" for name in ("where", "classes")),
+            TABLES,
         ],
     ),
     "web": (
