@@ -2,6 +2,7 @@
 
 import os
 import re
+import signal
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,13 +14,14 @@ import pytest
 
 from pal.assembly import MOST
 from pdp8 import cli, shelf
-from pdp8.cli import assemble, check, monitor, nc, nc_options, replay, root, tape, thesis
+from pdp8.cli import assemble, check, monitor, nc, nc_options, replay, root, run, tape, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
-from pdp8.cli.running import feed, keyboard
+from pdp8.cli.running import feed, keyboard, pacing, watching
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
+from pdp8.computer.use.trace import Listing
 from pdp8.monitor.prompt import Monitor
 from pdp8.replay.figures import COLUMNS
 from tapes import binary
@@ -477,3 +479,38 @@ def test_the_monitor_at_a_terminal_says_how_much_core_there_is(
     monkeypatch.setattr(monitor, "converse", lambda made: None)
     said = "PDP-8/L, 4K. help tells what there is; quit leaves.\n"
     assert call("pdp8 monitor", terminal=True) == (0, said, "")
+
+
+def test_a_run_leaves_ctrl_c_and_the_machine_as_they_were(tmp_path: Path) -> None:
+    before, machine = signal.getsignal(signal.SIGINT), Machine()
+    with pacing.ctrl_c() as interrupt:
+        signal.raise_signal(signal.SIGINT)
+        assert interrupt.pressed
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    assert signal.getsignal(signal.SIGINT) is before
+    with click.Context(run.run):
+        for name in ("-", str(tmp_path / "trace")):
+            with watching.tracing(machine, name, Listing()):
+                assert machine.watch.observer is not None
+            assert machine.watch.observer is None
+
+
+@pytest.mark.parametrize(
+    ("line", "advised"),
+    [
+        ("a.pal", True),
+        *((f"a.pal {with_one} a.asc", False) for with_one in ("--reader", "--fast-reader")),
+        ("--restore kept", False),
+    ],
+)
+def test_who_sits_at_a_terminal_hears_of_options_that_give_the_program_a_tape(
+    line: str, advised: bool, call: Call, tmp_path: Path
+) -> None:
+    (tmp_path / "a.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tKRB\n\tJMP 200\n$\n")
+    (tmp_path / "a.asc").write_bytes(b"ABC")
+    if "kept" in line:
+        assert call("pdp8 run a.pal --reader a.asc --save kept")[0] == 0
+    _, _, said = call(f"pdp8 run {line}", terminal=True)
+    assert "the reader ran out of tape" in said
+    assert ("; --keyboard types at the Teletype" in said) == advised

@@ -54,15 +54,6 @@ def test_the_live_teletype_and_the_way_to_the_monitor_and_back() -> None:
     assert terminal.ended() == 0
 
 
-def test_who_gave_no_tape_at_a_terminal_is_told_of_the_keyboard(tmp_path: Path) -> None:
-    (tmp_path / "key.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
-    terminal = Terminal("pdp8", "run", "key.pal", folder=tmp_path)
-    said = terminal.until(b"puts a tape in")
-    assert b"the reader ran out of tape" in said
-    assert b"; --keyboard types at the Teletype, --reader FILE " in said
-    assert terminal.ended() == 0
-
-
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_the_terminal_is_restored_whatever_ends_the_run(number: int) -> None:
     terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard", "--realtime")
