@@ -17,6 +17,7 @@ from pdp8.computer.hardware.teletype import Reader, Receiver
 from tapes import codes
 from tapes.errors import called
 from tapes.frames import has_leader
+from tapes.quantities import counted
 
 _LOOK = 0.2  # seconds between two looks for Ctrl-C while a pipe is silent
 _PIECE = 1 << 16
@@ -80,7 +81,8 @@ class Feed:
         if not self.next_tape():
             return False
         if not self._quiet:
-            command.say(f"{called(self._name)} goes into the reader after {self._passed:,} frames")
+            after = counted(self._passed, "frames")
+            command.say(f"{called(self._name)} goes into the reader after {after}")
         return True
 
     def _more(self) -> bytes:

@@ -514,3 +514,12 @@ def test_who_sits_at_a_terminal_hears_of_options_that_give_the_program_a_tape(
     _, _, said = call(f"pdp8 run {line}", terminal=True)
     assert "the reader ran out of tape" in said
     assert ("; --keyboard types at the Teletype" in said) == advised
+
+
+def test_a_fault_of_ours_is_raised_with_its_traceback() -> None:
+    @click.command()
+    def broken() -> None:
+        raise LookupError("of ours")
+
+    with pytest.raises(LookupError, match="of ours"):
+        command.status(broken, "broken", [])
