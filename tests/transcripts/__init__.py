@@ -1,6 +1,6 @@
 """Commands and all that comes out of them, in tables that are read like a terminal.
 
-A blank line begins a new folder, with the files of tests/options/inputs.py in it.
+A blank line begins a new folder. It has the files of tests/options/inputs.py that the block names.
 
     % a.pal = *200|HLT|$|     a file of these lines, ¦ for a bar; of a.eia an EIA tape
     $ pal a.pal < tape.asc    a command of pdp8, and what is on its standard input

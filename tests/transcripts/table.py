@@ -38,7 +38,8 @@ def block_answered(block: str) -> str:
     lines: list[str] = []
     said: list[str] = []
     before: Mapping[str, bytes] | None = None
-    with folder(FILES), shelf.watched():
+    named = {name: content for name, content in FILES.items() if name in block}
+    with folder(named), shelf.watched():
         monitor = Monitor(said.append)
         for line in block.splitlines():
             if line.startswith(("#", "% ", "$ ", "* ")):
