@@ -50,8 +50,7 @@ def called(line: str, stdin: bytes = b"") -> Outcome:
     before = existing()
     with patch.multiple(sys, stdin=streams[0], stdout=streams[1], stderr=streams[2]):
         status = command.status(pdp8, "pdp8", shlex.split(line))
-    left = {name: content for name, content in existing().items() if before.get(name) != content}
-    return Outcome(status, shown.getvalue(), _OUR_TIME.sub(b"", said.getvalue()), left)
+    return Outcome(status, shown.getvalue(), _OUR_TIME.sub(b"", said.getvalue()), changed(before))
 
 
 def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
@@ -63,3 +62,8 @@ def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
 def existing() -> dict[str, bytes]:
     """Return the files of the current folder."""
     return {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()}
+
+
+def changed(before: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Return the files of the current folder that are new, or other than `before`."""
+    return {name: content for name, content in existing().items() if before.get(name) != content}

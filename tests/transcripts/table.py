@@ -5,7 +5,6 @@ from base64 import b32encode, urlsafe_b64decode
 from collections.abc import Iterator, Mapping
 from hashlib import sha256
 from pathlib import Path
-from types import MappingProxyType
 from zlib import decompress
 
 from pdp8 import shelf
@@ -14,7 +13,7 @@ from pdp8.monitor.prompt import Monitor
 from tapes import eia
 from tapes.errors import WorkError
 from tests.options.inputs import FILES
-from tests.options.trial import called, existing, folder
+from tests.options.trial import called, changed, existing, folder
 
 TABLES = sorted(Path(__file__).parent.glob("*.txt"))
 _MOST, _WIDEST = 12, 240
@@ -37,15 +36,12 @@ def block_answered(block: str) -> str:
     """Return a block with what its commands answer now, in a folder of its own."""
     lines: list[str] = []
     said: list[str] = []
-    before: Mapping[str, bytes] | None = None
     named = {name: content for name, content in FILES.items() if name in block}
     with folder(named), shelf.watched():
         monitor = Monitor(said.append)
         for line in block.splitlines():
             if line.startswith(("#", "% ", "$ ", "* ")):
                 lines.append(line)
-            if line.startswith(("% ", "$ ")):
-                before = None
             if line.startswith("% "):
                 name, text = line[2:].split(" = ", 1)
                 text = text.replace("|", "\n").replace("¦", "|")
@@ -53,11 +49,9 @@ def block_answered(block: str) -> str:
             elif line.startswith("$ "):
                 lines += _answer(line[2:])
             elif line.startswith("* "):
-                before = existing() if before is None else before
+                before = existing()
                 lines += _prompted(monitor, said, line[2:])
-                after = existing()
-                lines += _written(after, before)
-                before = after
+                lines += _written(changed(before))
     return "\n".join(lines)
 
 
@@ -82,10 +76,9 @@ def _answer(line: str) -> Iterator[str]:
     yield from _written(result.files)
 
 
-def _written(files: Mapping[str, bytes], before: Mapping[str, bytes] = MappingProxyType({})) -> Iterator[str]:
+def _written(files: Mapping[str, bytes]) -> Iterator[str]:
     for name, content in sorted(files.items()):
-        if before.get(name) != content:
-            yield f"+ {name} {len(content):,}, {_digest(content)}"
+        yield f"+ {name} {len(content):,}, {_digest(content)}"
 
 
 def _stream(mark: str, content: bytes) -> Iterator[str]:

@@ -516,10 +516,10 @@ def test_who_sits_at_a_terminal_hears_of_options_that_give_the_program_a_tape(
     assert ("; --keyboard types at the Teletype" in said) == advised
 
 
-def test_a_fault_of_ours_is_raised_with_its_traceback() -> None:
+def test_an_unexpected_error_is_raised_with_its_traceback() -> None:
     @click.command()
     def broken() -> None:
-        raise LookupError("of ours")
+        raise LookupError("unexpected")
 
-    with pytest.raises(LookupError, match="of ours"):
+    with pytest.raises(LookupError, match="unexpected"):
         command.status(broken, "broken", [])
