@@ -61,9 +61,11 @@ class Header:
             raise WorkError(f"tool {self.tool} is not in the carousel: 1 to {CAROUSEL[-1]}")
         if self.coolant not in COOLANT:
             raise WorkError(f"coolant {self.coolant} must be 7 flood, 8 mist or 9 off")
-        for name, code, known in (("spindle", self.spindle, SPINDLE), ("Z feed", self.z_feed, Z_FEED)):
+        for name, code, known, codes in (
+            ("spindle", self.spindle, SPINDLE, "1 to 18 and 21 to 38"),
+            ("Z feed", self.z_feed, Z_FEED, "1 to 18"),
+        ):
             if code not in known:
-                codes = f"1 to {max(Z_FEED)}{' and 21 to 38' * (known is SPINDLE)}"
                 raise WorkError(f"{name} code {code} is not in Table 2.4: {codes}")
 
     def blocks(self, x: int, y: int) -> Iterator[Block]:

@@ -54,6 +54,7 @@ _BYTE_ORDER_MARK = "\ufeff"
     "Say where each answer goes wrong; write the machine there, and a link for the workbench.",
     needs="ANSWER",
     excludes="--variants",
+    writes=True,
 )
 @dialect_option()
 @option("--json", "Write the marks as JSON.", Target("JSON"))
@@ -186,7 +187,8 @@ def _names(results: Sequence[Result]) -> list[str]:
     """Return the name of each student's files, with a number where it is repeated."""
     taken: Counter[str] = Counter()
     names = []
-    for stem in [_stem(result.answer) for result in results]:
+    for result in results:
+        stem = _stem(result.answer)
         taken[stem] += 1
         names.append(f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem)
     return names

@@ -3,7 +3,7 @@
 import os
 import stat
 import sys
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -201,10 +201,7 @@ class _Run:
         self.reels_out = _by_device(options.save_dectape, options.save_disk)
         self.mounted: Reels | None = None
         self.failures: list[ShelfError] = []
-        _check_options(options, more, self.reels_in)
-        for device, name in self.reels_out.items():
-            if device not in self.reels_in:
-                raise click.UsageError(f"{device[2:]}={name}: no tape is mounted on drive {device[2:]}.")
+        _check_options(options, more, self.reels_in, self.reels_out)
         self.found = self._program(explicit)
         self.machine = self._machine()
         if self.found or "sr" in explicit:
@@ -492,14 +489,16 @@ class _Run:
 
 
 def _piped() -> bool:
-    """Tell whether standard output is a pipe."""
+    """Return whether standard output is a pipe."""
     try:
         return stat.S_ISFIFO(os.fstat(sys.stdout.fileno()).st_mode)
     except UnsupportedOperation:  # a stream of Python's own
         return False
 
 
-def _check_options(options: Options, more: Sequence[str], reels_in: Collection[str]) -> None:
+def _check_options(
+    options: Options, more: Sequence[str], reels_in: Collection[str], reels_out: Mapping[str, str]
+) -> None:
     """Raise UsageError for options that mean nothing together, and for what follows the program."""
     if more:
         raise click.UsageError(
@@ -513,6 +512,9 @@ def _check_options(options: Options, more: Sequence[str], reels_in: Collection[s
         raise click.UsageError("give a PROGRAM or --restore FILE, not both.")
     if options.line and sys.platform == "win32":
         raise click.UsageError("--line needs the serial lines of Linux, macOS or another POSIX system.")
+    for device, name in reels_out.items():
+        if device not in reels_in:
+            raise click.UsageError(f"{device[2:]}={name}: no tape is mounted on drive {device[2:]}.")
 
 
 def _by_device(reels: Sequence[str], disk: str | None) -> dict[str, str]:

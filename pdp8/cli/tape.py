@@ -292,9 +292,8 @@ def convert(
     words = codes.named(source)
     if isinstance(words, Words) and (isinstance(codes.named(target), Words) or target in spelled.FORMATS):
         damage = words.damage(content)
-        command.say_of(
-            file, ([f"{damage}; taken as far as it can be read"] if damage else words.left_out(content))
-        )
+        said = [f"{damage}; taken as far as it can be read"] if damage else words.left_out(content)
+        command.say_of(file, said)
     elif target in _TYPED or target == conversion.TEXT:
         _say_accepted(file, content, words)
 

@@ -23,7 +23,7 @@ from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
 
-_HAS = ("cpu", "tti", "tto", "ptr", "ptp")
+_HAS = ("tti", "tto", "ptr", "ptp")
 _SWITCH = re.compile("-[a-zA-Z]")
 _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "noon")
 DEVICES = "ptr, ptp, dt0 to dt7, df, lpt"
@@ -37,7 +37,7 @@ def _kind(name: str) -> str:
 def _device(monitor: Monitor, name: str) -> str:
     """Return the name of a device that is here, or can be fitted. Raises MonitorError."""
     device = _kind(name) if name.lower().startswith("dt") else name.lower().rstrip("0")
-    if device in _HAS[1:] or device in rack.RACK:
+    if device in _HAS or device in rack.RACK:
         return device
     raise MonitorError(f"{name}: {rack.absent(monitor, name) or f'no device; there are {DEVICES}'}")
 
@@ -155,7 +155,7 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     elif what := rack.absent(monitor, name):
         if not value.startswith("dis"):
             raise MonitorError(f"{name}: {what}")
-    elif kind not in _HAS[1:]:
+    elif kind not in _HAS:
         return name in _NOTHING_TO_SET
     elif value.startswith("dis"):
         raise MonitorError(f"{name}: it cannot be removed; `reader stop` and `punch off` switch it off")

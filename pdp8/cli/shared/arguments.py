@@ -110,7 +110,7 @@ class Command(click.Command):
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters, with --no-clobber before --help where something is written."""
         params = super().get_params(ctx)
-        if any(isinstance(param.type, _Written) for param in params):
+        if any(map(_writes, params)):
             params.insert(-1, self._no_clobber)
         return params
 
@@ -132,11 +132,7 @@ class Command(click.Command):
         """Raise a UsageError where --no-clobber was given and no file is to be written."""
         if not command.keeps(ctx):
             return
-        written = {
-            param.name: param
-            for param in self.params
-            if isinstance(param.type, _Written) or param.name == "shows_where"  # it writes the machine
-        }
+        written = {param.name: param for param in self.params if _writes(param)}
         values = {name: ctx.params[name or ""] for name in written}
         writes_unasked = "output" in values and values["output"] is None  # beside the source, as pal does
         if not writes_unasked and all(value in (None, "-", False) for value in values.values()):
@@ -166,6 +162,11 @@ class Command(click.Command):
                 command.say(f"{name} {shelf.HIDES}")
         if "-" in sources and sys.stdin.isatty():
             command.say("waits for standard input, which is this terminal; Ctrl-D ends it, --help tells more")
+
+
+def _writes(param: click.Parameter) -> bool:
+    """Whether files are written where this parameter is given."""
+    return isinstance(param.type, _Written) or getattr(param, "writes", False)
 
 
 def _named(command: click.Command, ctx: click.Context) -> Iterator[tuple[click.Parameter, str]]:

@@ -4,6 +4,7 @@
     option("--fill", "...", int, needs="--to=ascii")      means nothing unless --to is ascii
     flag("--boot", "...", excludes="--restore")           does not go with --restore
     flag("--prove", "...", only="EXERCISE --cpu")         goes with these only; only="", with nothing
+    flag("--where", "...", writes=True)                   writes files that it names itself
 
 Blanks separate names; one of those that an option `needs` is enough. An argument's name is in capitals; `=`
 asks for a value in force, given or by default. `Command` refuses what a declaration forbids before it opens a
@@ -39,10 +40,11 @@ class Option(click.Option):
         needs: str = "",
         excludes: str = "",
         only: str | None = None,
+        writes: bool = False,
         **settings: Any,
     ) -> None:
         super().__init__(declarations, **settings)
-        self.needs, self.excludes, self.only = needs, excludes, only
+        self.needs, self.excludes, self.only, self.writes = needs, excludes, only, writes
 
 
 def option(names: str, help: str, type: Any = None, **settings: Any) -> Callable[[_Function], _Function]:
@@ -115,7 +117,7 @@ def check(ctx: click.Context) -> None:
             raise click.UsageError(f"{name} does not go with {_told(barred, 'or')}.")
         only = getattr(param, "only", None)
         if only is not None:
-            fitting = [param, *(known[word] for word in (*only.split(), "--no-clobber") if word in known)]
+            fitting = [param, known.get("--no-clobber"), *(known[word] for word in only.split())]
             beside = [words(other)[0] for other in given if other not in fitting]
             if beside:
                 alone = f"with {_told(only.split(), 'and')} only" if only else "alone"
