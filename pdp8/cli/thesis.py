@@ -221,22 +221,23 @@ def collate(answers: str | None, letter: bool, pages: str | None, output: str) -
 
 def _places(folder: str) -> dict[str, str]:
     """Return, by name, where the lines of conjectures are on the pictures in a folder."""
-    extras.need("cv2", "vision", "reading a picture needs OpenCV")
     from pdp8.thesis import collate as known
+
+    pictures = []
+    for file in sorted(Path(folder).glob("*.png")):
+        number = re.search(r"(\d+)\.png$", file.name)
+        page = str(int(number[1])) if number else ""
+        pictures += [(file, each) for each in known.conjectures().values() if each.page == page]
+    if not pictures:
+        raise TapeError(f"{folder}: no picture of a page on the list; one is called 106.png or page-106.png")
+    extras.need("cv2", "vision", "reading a picture needs OpenCV")
     from pdp8.thesis import pages
 
     places = {}
-    for file in sorted(Path(folder).glob("*.png")):
-        number = re.search(r"(\d+)\.png$", file.name)
-        for each in known.conjectures().values():
-            if number and each.page == str(int(number[1])):
-                top, last, sure = pages.find(each, file.read_bytes()) or (0, 0, True)
-                rows = f"rows {top} to {last} of pixels" if last else "the whole page"
-                places[each.name] = (
-                    f"; {file.name}: {'' if sure else 'by its number among the lines, about '}{rows}"
-                )
-    if not places:
-        raise TapeError(f"{folder}: no picture of a page on the list; one is called 106.png or page-106.png")
+    for file, each in pictures:
+        top, last, sure = pages.find(each, file.read_bytes()) or (0, 0, True)
+        rows = f"rows {top} to {last} of pixels" if last else "the whole page"
+        places[each.name] = f"; {file.name}: {'' if sure else 'by its number among the lines, about '}{rows}"
     return places
 
 
