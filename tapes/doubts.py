@@ -137,17 +137,11 @@ class _Context:
         code = frame if frame in self._alone else frame & 0o177
         if not self._alone[code]:
             return 0.0
-        seen = self._codes[at]
-        before = self._pairs[self._codes[at - 1], code] if at else 0
-        after = self._pairs[code, self._codes[at + 1]] if at + 1 < len(self._codes) else 0
-        below = self._below[self._columns[at], code]
-        self_seen = code == seen  # the frame itself says nothing of what it should be
-        return (
-            (before - self_seen + 0.1)
-            * (after - self_seen + 0.1)
-            * (below - self_seen + 0.1)
-            / (self._alone[code] - self_seen + 1) ** 2
-        )
+        own = code == self._codes[at]  # the frame itself says nothing of what it should be
+        before = self._pairs[self._codes[at - 1], code] - own if at else 0
+        after = self._pairs[code, self._codes[at + 1]] - own if at + 1 < len(self._codes) else 0
+        below = self._below[self._columns[at], code] - own
+        return (before + 0.1) * (after + 0.1) * (below + 0.1) / (self._alone[code] - own + 1) ** 2
 
 
 def _doubt(at: int, frames: bytes, code: Code, rule: Rule, context: _Context) -> Doubt:
