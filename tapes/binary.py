@@ -235,7 +235,7 @@ def find_apart(frames: bytes, reading: Reading) -> int | None:
     at = label.start
     while (start := frames.find(LEAST_LEADER, at)) != -1:
         items, at, damage = _items(frames, skip(frames, start, LEADER), [])
-        if damage is None and items[0].kind != WORD and items[-1].kind == WORD:
+        if damage is None and items[0].kind != WORD:
             section = _close(items)
             if section.computed == section.punched:
                 return start

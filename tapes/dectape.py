@@ -66,7 +66,7 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
     """Return the image in a file, and notes about it. Raises TapeError for a file that is none."""
     width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
     blocks, rest = divmod(len(content), 2 * width)
-    if rest or not 0 < blocks <= BLOCKS or len(content) in _OTHERS:
+    if rest or not 0 < blocks <= BLOCKS:
         known = image(len(content))
         what = f": {known}" if known else ""
         lengths = " or ".join(f"{each:,}" for each in _LENGTHS)

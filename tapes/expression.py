@@ -92,7 +92,7 @@ class _Reader:
         start = self._at
         if self._taken("("):
             return self._closed()
-        while self._plain[self._at].isascii() and self._plain[self._at].isalpha():
+        while self._plain[self._at].isalpha():
             self._at += 1
         name = self._plain[start : self._at]
         if name == "x":

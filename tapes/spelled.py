@@ -213,7 +213,7 @@ def _read_intel_hex(lines: list[list[str]], words: dict[int, int]) -> int:
     for line in lines:
         (record,) = [token.lower() for token in line]
         digits = record.removeprefix(":")
-        if digits == record or len(digits) % 2 or len(digits) < 10:
+        if digits == record or not digits:
             raise ValueError
         values = [_number(digits[at : at + 2], 16, 2, 2) for at in range(0, len(digits), 2)]
         if sum(values) & 0o377 or len(values) != values[0] + 5:
