@@ -73,3 +73,4 @@ def test_parity_is_told_from_the_characters(parity: str) -> None:
     tape = bytes(8) + ascii.encode("TAD HOLD\n", parity, 0) + octal("377 377") + leader(9)
     assert dict(ascii.ASCII.report(tape))["parity"] == parity
     assert dict(ascii.ASCII.report(octal("301 101 303")))["parity"] == "mixed"
+    assert ascii.ASCII.rule(octal("301 102"), {0, 1}) is None, "every character is in doubt"

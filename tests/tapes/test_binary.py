@@ -57,9 +57,10 @@ def test_what_is_punched_is_read(words: dict[int, int]) -> None:
 
 
 def test_no_address_and_no_word_out_of_range_is_punched() -> None:
-    with pytest.raises(TapeError, match="address 100000"):
-        binary.encode({0o100000: 0})
-    for code in (binary, rim):
+    for code, beyond in ((binary, 0o100000), (rim, 0o10000)):
+        for address in (-1, beyond):
+            with pytest.raises(TapeError, match=f"address {address:o}: a .* tape can name only"):
+                code.encode({address: 0})
         for word in (-1, 0o10000):
             with pytest.raises(TapeError, match=f"0200: {word:o} .octal. is no word; 0000 to 7777 are"):
                 code.encode({0o200: word})

@@ -15,6 +15,8 @@ from tests.conftest import Call
 
 BLOCK = 0o7
 FREE = 737 - BLOCK
+FULL = (BLOCK, 0, 0, 0, 0o0102, 0, 0, 0, -1, *(0, -1) * 123)
+"""Entries to the last word of a segment, after their number."""
 SOURCE = "*200\n\tCLA CLL\n\tHLT\n$\n"
 
 
@@ -33,6 +35,7 @@ def empty() -> dectape.Image:
 
 def test_a_text_is_packed_three_characters_in_two_words() -> None:
     """A B C of mark parity: 0301 0302 0303 are 6301 1702, after them CR LF ^Z."""
+    assert os8.frames([0o101, 0o102]) == b"AB\0", "not ended by ^Z"
     packed = os8.from_text("ABC\n")
     assert [f"{word:04o}" for word in packed[:4]] == ["6301", "1702", "4615", "5212"]
     assert os8.text(packed) == "ABC\n"
@@ -99,6 +102,14 @@ def test_the_first_additional_word_of_an_entry_is_its_date(more: tuple[int, ...]
     assert (free.name, free.block, free.length) == ("", BLOCK + 2, FREE - 2)
 
 
+def test_a_segment_is_full_to_its_last_word() -> None:
+    assert len(os8.directory(formatted(-124, *FULL))) == 124
+    files = [word for number in range(48) for word in (0o0101 + number % 26, number // 26 + 1 << 6, 0, 0, -1)]
+    image = os8.insert(formatted(-51, BLOCK, 0, 0, 0, 0, -1, 0, -1, *files, 0, 50 - FREE), "NEW", [0] * 257)
+    assert len(os8.directory(image)) == 52
+    assert image.words[2 * dectape.WORDS + 2] == 0, "no next segment"
+
+
 def test_a_file_may_fill_the_free_place() -> None:
     image = os8.insert(empty(), "WHOLE", [0] * (FREE * 256))
     assert [(each.name, each.length) for each in os8.directory(image)] == [("WHOLE", FREE)]
@@ -112,7 +123,11 @@ def test_a_file_may_fill_the_free_place() -> None:
         (formatted(-1, BLOCK, 1, 0, -1, 0, -FREE), "the next segment is 1"),
         (formatted(-1, BLOCK, 0, 0, -1, 0, -FREE - 1), "entry 1, a free place of 731 blocks from block 7 on"),
         (formatted(-1, BLOCK, 0, 0, -1, 0o4141, 0, 0, 0, 0, -1), r"entry 1, \.|entry 1, !!"),
-        (formatted(-126, BLOCK, 0, 0, -1), "has 126 entries|is damaged"),
+        (formatted(-126, BLOCK, 0, 0, -1), "has 126 entries"),
+        (formatted(-1, 737, 0, 0, -1, 0, -1), "entry 1, a free place of 1 block from block 1341 on"),
+        (formatted(-1, 738, 0, 0, -1, 0, -1), "has 1 entries from block 1342 on"),
+        (formatted(-1, BLOCK, 0, 0, -1, 0o0140, 0o0200, 0, 0, 0, -1), "entry 1, A B of 1 block"),
+        (formatted(-125, *FULL), "entry 125 of 125 lies beyond its 256 words"),
     ],
 )
 def test_a_damaged_directory_is_named(image: dectape.Image, said: str) -> None:

@@ -70,6 +70,26 @@ def test_nothing_is_proposed_where_two_mends_give_the_checksum() -> None:
     assert redundancy.propose(bytes(seen), {ones[0]: 1, noughts[0]: 1}) == ({}, "")
 
 
+@pytest.mark.parametrize("channels", [24, 25])
+def test_of_a_bin_tape_no_more_than_24_channels_are_tried(channels: int) -> None:
+    seen = bytearray(BIN)
+    seen[100] ^= 0o004
+    others = [(at, bit) for at in range(101, 107) for bit in (0o001, 0o002, 0o010, 0o020, 0o040)]
+    doubtful = {100: 0o004}
+    for at, bit in others[: channels - 1]:
+        doubtful[at] = doubtful.get(at, 0) | bit
+    assert redundancy.propose(bytes(seen), doubtful)[0] == ({100: BIN[100]} if channels == 24 else {})
+
+
+def test_a_value_is_proposed_of_those_that_have_a_code() -> None:
+    """Blank tape has one; 203 has none."""
+    seen = bytearray(EIA)
+    seen[100] = 0
+    assert redundancy.propose(bytes(seen), {100: 0o004})[0] == {}
+    seen[100] = 0o003
+    assert redundancy.propose(bytes(seen), {100: 0o201})[0] == {100: 0o002}
+
+
 @pytest.mark.parametrize("faults", [3, 4])
 def test_of_a_bin_tape_no_more_than_three_faults_are_mended(faults: int) -> None:
     doubtful = {100 + at: 1 << at for at in range(faults)}
@@ -99,6 +119,8 @@ def test_a_fault_in_a_sure_frame_is_doubtful_and_hides_no_other(
             at: tape[at],
             at + 28: tape[at + 28],
         }
+    else:
+        assert redundancy.contradict(bytes(seen), {at + 28: bit}, weakest) == ({}, "")
 
 
 def test_a_rule_that_more_than_a_tenth_breaks_is_none() -> None:
@@ -111,6 +133,8 @@ def test_a_rule_that_more_than_a_tenth_breaks_is_none() -> None:
     for at in range(7, 200, 14):
         tape[at] ^= 0o200
     assert redundancy.contradict(bytes(tape), {}, weakest)[0] == {}
+    shifted = RIM[:201] + b"\0" + RIM[201:]
+    assert redundancy.contradict(shifted, {}, [(0.4, 0o001)] * len(shifted)) == ({}, "")
 
 
 @pytest.mark.parametrize("tape", [BIN, EIA])

@@ -20,7 +20,7 @@ o   o ooooo
 
 def test_letters_for_the_eye() -> None:
     assert "\n".join(draw_label(title.punch("HI"))) == HI
-    assert title.read(title.punch("Part 7: X/Y")) == "PART 7: X/Y"
+    assert title.read(title.punch("Part 7:  X/Y")) == "PART 7: X/Y"
     assert title.read(b"\x7f\x41\x7f") == ""
     with pytest.raises(TextError, match="line 1, column 2: '%' cannot be punched for the eye"):
         title.punch("9%")

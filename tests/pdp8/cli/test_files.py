@@ -137,6 +137,7 @@ def test_a_tape_that_begins_with_rubouts_is_not_utf16() -> None:
     assert [is_utf16("A".encode("utf-16")[:count]) for count in (2, 4)] == [False, True]
     assert is_utf16("\u0100\u0100\u0100\xff".encode("utf-16") + b"x")
     assert not is_utf16("\u0100\u0100\u0100\u0100\xff".encode("utf-16"))
+    assert is_utf16("\u0100\u0100\u0100\ufffd".encode("utf-16"))
 
 
 def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> None:
