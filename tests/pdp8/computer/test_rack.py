@@ -36,6 +36,9 @@ def test_the_clock_interrupts_sixty_times_a_second() -> None:
     m = rack("6136 6133 5201 2010 6132 6133 5205 7402", KW8())
     m.run(0.5)
     assert (m.core[0o10], m.pc in (0o205, 0o206)) == (1, True)
+    m = rack("6134 6133 5201 7402", KW8())  # no such instruction of the clock, which stays off
+    m.run(0.5)
+    assert m.pc in (0o201, 0o202)
 
 
 def test_a_line_is_printed_in_a_fifth_of_a_second() -> None:
@@ -45,6 +48,16 @@ def test_a_line_is_printed_in_a_fifth_of_a_second() -> None:
     printer = next(each for each in m.devices if isinstance(each, LP08))
     assert (stop.reason, printer.paper) == ("halt", "HII\n")
     assert m.elapsed == pytest.approx(0.2, abs=0.001)
+
+
+def test_a_full_line_is_printed_by_the_character_behind_it() -> None:
+    """132 characters go into the buffer; capitals stand for small letters, from a to z alone."""
+    m = rack("1030 6664 6661 5202 6662 7200 2020 5200 7402 20/ 7573 30/ 172", printer := LP08())
+    assert m.run(10).reason == "halt"
+    assert (printer.paper, printer.column, m.elapsed < 0.05) == ("Z" * 133, 0, False)
+    m = rack("1030 6664 6661 5202 6662 7200 2020 5200 7402 20/ 7574 30/ 173", printer := LP08())
+    assert m.run(10).reason == "halt"
+    assert (printer.paper, printer.column, m.elapsed < 0.05) == ("{" * 132, 132, True)
 
 
 def test_the_printer_interrupts_only_when_it_is_let() -> None:

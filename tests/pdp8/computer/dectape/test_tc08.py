@@ -130,6 +130,26 @@ def test_a_block_changed_by_write_all_is_a_parity_error_until_it_is_written() ->
         assert control.a & GO  # a parity error does not stop the tape
 
 
+@pytest.mark.parametrize("way", [0, BACKWARDS])
+def test_write_all_writes_the_words_and_both_checksums_as_read_all_reads_them(way: int) -> None:
+    """Its first group is the third that READ ALL reads: so the header's last three, of which the last ends in
+    a checksum, 129 words, and one that begins in a checksum.
+    """
+    groups = random.Random(8).choices(range(4096), k=133)
+    m, control = at_block(5)
+    for function, count in ((WRITE_ALL, 133), (READ_ALL, 135)):
+        m.core[0o1000:0o1207] = groups + [0] * 2 if function == WRITE_ALL else [0] * 135
+        command(m, BACKWARDS | GO)
+        command(m, GO | SEARCH | CONTINUOUS, 8 if way else 6, 0o100)
+        if way:
+            command(m, BACKWARDS | GO | SEARCH | CONTINUOUS, 3, 0o100)
+        assert m.core[0o100] == 5
+        assert command(m, SEARCH ^ function, count, clears=False)[0] & 0o7707 == 1
+    assert [*control.drives[0].blocks] == [5]
+    assert m.core[0o1005:0o1206] == groups[3:132]
+    assert (m.core[0o1004] & 0o77, m.core[0o1206] >> 6) == (groups[2] & 0o77, groups[132] >> 6)
+
+
 def test_read_and_write_are_too_late_within_a_block() -> None:
     for function in (READ, WRITE):
         m, _ = at_block(5)

@@ -37,9 +37,33 @@ def test_what_was_written_is_in_the_order_of_blocks_and_not_on_the_reel_that_was
     other.changed = one.changed
     assert other.read(BLOCKS - 1, 128) == 0o7070
     high = bytes([BLOCKS >> 8, BLOCKS & 0o377])
-    for wrong in (one.changed[:-1], one.changed[:-262] + high + one.changed[-260:]):
+    wide = one.changed[:-2] + b"\x10\0"
+    for wrong in (one.changed[:-1], one.changed[:-262] + high + one.changed[-260:], wide):
         with pytest.raises(ValueError, match="blocks of a DECtape"):
             other.changed = wrong
+
+
+def test_backwards_a_tape_moves_as_forwards() -> None:
+    """Start, stop, start before it rests, stop, turn, stop."""
+    moves = [(0, 0), (4_000_000, None), (5_000_000, 0), (8_000_000, None), (8_000_001, 1), (30_000_000, None)]
+    ways: list[list[int]] = []
+    for back in (0, 1):
+        drive = Transport()
+        drive.mount(reel())
+        drive.go(0, 0)
+        drive.stop(400_000_000)
+        middle, began = drive.position(500_000_000), 500_000_000
+        ways.append([])
+        for tick, way in moves:
+            if way is None:
+                drive.stop(began + tick)
+            else:
+                drive.go(way ^ back, began + tick)
+            ways[-1] += [
+                abs(drive.position(began + tick + after) - middle) for after in (0, 100_000, 900_000)
+            ]
+    assert ways[0] == ways[1]
+    assert Transport().written() is None
 
 
 def test_each_of_eight_drives_is_selected_by_its_number() -> None:
