@@ -132,6 +132,28 @@ def test_what_cannot_be_undone_leaves_the_machine_as_it_is() -> None:
         rewind.instructions(History(Machine()), 1)
 
 
+def test_characters_are_undone_over_many_snapshots_and_no_further_than_the_history_goes() -> None:
+    m = machine(PRINTS)
+    m.run(seconds=1)
+    before = len(m.teletype.printer.frames)
+    history = History(m)
+    for _ in range(16):
+        m.run(seconds=1)
+    assert len(history.snapshots()) > 2
+    printed = len(m.teletype.printer.frames)
+    with pytest.raises(
+        HistoryError, match="characters cannot be undone: the history does not go back so far"
+    ):
+        rewind.characters(history, printed - before + 1)
+    for count in (1, 60, printed - before - 61):
+        printed -= count
+        rewind.characters(history, count)
+        assert len(m.teletype.printer.frames) == printed
+        m.run(instructions=1)
+        assert len(m.teletype.printer.frames) == printed + 1
+        rewind.instructions(history)
+
+
 def test_cycles_back_stand_within_an_instruction() -> None:
     m, history = recorded(PRINTS)
     m.run(seconds=0.1)

@@ -158,6 +158,15 @@ def test_a_wrong_hole_shows_in_the_checksum(hands: Operator, frame: int) -> None
     assert "wrong checksum" in refused(hands, bytes(tape))
 
 
+def test_a_section_before_one_without_an_end_has_to_be_right(hands: Operator) -> None:
+    wrong, unended = bytearray(SECOND), FIRST.rstrip(b"\200")
+    wrong[66] ^= 1
+    for tape in (bytes(wrong) + unended, FIRST + bytes(wrong) + unended):
+        assert "wrong checksum" in refused(hands, tape)
+    done = hands.read_bin(SECOND + FIRST + unended)
+    assert (done.frames, done.sections) == (len(SECOND + FIRST + unended), 3)
+
+
 @pytest.mark.parametrize("tape", [TWO_WORDS[:68], b"\0", b""])
 def test_a_tape_cut_short(hands: Operator, tape: bytes) -> None:
     ended = "tape: the {} loader ended with {} at "

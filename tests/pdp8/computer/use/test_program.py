@@ -36,6 +36,7 @@ def test_a_rim_tape_is_its_own_tape() -> None:
         (b"$\n", "x: no word in it goes into core"),
         (shelf.read_bundled("circle.eia"), "x: neither PAL source nor a BIN or RIM tape"),
         (binary.encode({0o10200: 1}), "x: frame 64: field 1: this PDP-8/L has 4K of core, only field 0"),
+        (binary.encode({0o10200: 1, 0o10201: 2})[:72], "x: frame 72: the tape is cut short inside a word"),
         (binary.encode(WORDS)[:70], "x: frame 70: the tape is cut short: it has no trailer"),
     ],
 )
@@ -43,6 +44,16 @@ def test_what_is_no_program_is_refused_by_name(content: bytes, said: str) -> Non
     with pytest.raises(WorkError) as refused:
         program.read(content, "x")
     assert str(refused.value).partition(said)[::2] == ("", str(refused.value)[len(said) :] * ("\n" in said))
+
+
+def test_fields_beyond_core_are_refused_by_the_first_and_left_out() -> None:
+    tape = binary.encode({0o7777: 1, 0o10000: 2, 0o17777: 3, 0o20000: 4, 0o30000: 5})
+    for memory, last, words in ((4096, "only field 0", 1), (8192, "fields 0 to 1", 3)):
+        with pytest.raises(WorkError, match=f"field {memory >> 12}: .* has {memory >> 10}K of core, {last}$"):
+            program.read(tape, "x", memory=memory)
+        found = program.read(tape, "x", force=True, memory=memory)
+        assert [*found.words.values()] == [1, 2, 3][:words]
+    assert len(program.read(tape, "x", memory=4 * 4096).words) == 5
 
 
 def test_a_field_0_is_read_and_the_last_word_of_core() -> None:
