@@ -137,7 +137,7 @@ def test_mem_prot_is_said(session: Session) -> None:
     session.machine.panel.mem_prot = True
     load_address(session, 0o7600)
     session.press("dep")
-    assert session.said == "MEM PROT stopped a write at 7600"
+    assert session.said == "MEM PROT stopped a write into 7600"
     assert session.brightness["protect"] == (1,)
 
 

@@ -1,22 +1,33 @@
 """Steps and calls, against what is seen when every instruction is watched."""
 
 import copy
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from pal.isa import JMP
 from pdp8 import shelf
+from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
 from pdp8.computer.watch import Watch
 from pdp8.dap import calls, motion
+from pdp8.dap.breakpoints import ADDRESSES, Breakpoints
+from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.scopes import stack_trace
 from pdp8.monitor.prompt import Monitor
 
 FOLDER = Path(__file__).parent
+
+
+def began(source: str, folder: Path) -> Debuggee:
+    """Return what is debugged, stopped at 0200 as a debugger begins."""
+    (folder / "x.pal").write_text(source)
+    return Debuggee(Launch.of({"program": str(folder / "x.pal")}), Breakpoints())
 
 
 def machine_with(name: str) -> Machine:
@@ -113,6 +124,61 @@ def test_a_jump_through_a_word_that_is_no_entry_is_no_return() -> None:
         machine.run(instructions=1)
         seen.append([frame.entry for frame in calls.frames(list(machine.core), machine.pc, 0)])
     assert seen == [[0o210, None]] * 3
+
+
+@pytest.mark.parametrize("step", [Debuggee.into, Debuggee.over])
+@pytest.mark.parametrize(
+    ("words", "protected", "halt"),
+    [
+        ("CLA", 0, Halt("step")),
+        ("HLT", 0, Halt("halt", "HLT at 0200")),
+        ("A,JMS A", 0, Halt("step")),
+        ("DCA I P;P,7600", 0, Halt("step")),
+        ("DCA I P;P,7600", 1, Halt("exception", "MEM PROT stopped a write at 0200 into 7600")),
+        ("ISZ I P;P,7777", 1, Halt("exception", "MEM PROT stopped a write at 0200 into 7777")),
+        ("DCA I P;P,7577", 1, Halt("step")),
+        ("JMS I P;P,7600", 1, Halt("exception", "MEM PROT stopped a write into 7600")),
+        ("JMP I P;P,7600", 1, Halt("step")),
+    ],
+)
+def test_a_step_says_how_its_instruction_ended(
+    words: str, protected: int, halt: Halt, step: Callable[[Debuggee], Halt], tmp_path: Path
+) -> None:
+    debuggee = began("\n".join(["*200", *words.split(";"), "$\n"]), tmp_path)
+    debuggee.monitor.machine.panel.mem_prot = bool(protected)
+    assert step(debuggee) == halt
+
+
+def test_an_interrupted_instruction_is_stepped_over_with_its_interrupt(tmp_path: Path) -> None:
+    """Its handler runs to the return, past the breakpoint that a log message is at, and then it is done."""
+    debuggee = began((FOLDER / "interrupted.pal").read_text(), tmp_path)
+    machine = debuggee.monitor.machine
+    machine.run(seconds=0.05)
+    while machine.processor.next != INTERRUPT:
+        motion.into(machine)
+    interrupted, word = machine.pc, machine.core[machine.pc]
+    halt = debuggee.over()
+    while halt is None:
+        halt = debuggee.advance()
+    assert halt == Halt("step")
+    assert (machine.processor.next, machine.ma) == (0, interrupted)
+    assert word >> 9 == JMP
+    assert machine.pc == word & 0o177 | interrupted & 0o7600
+
+
+def test_a_machine_that_stands_says_at_what(tmp_path: Path) -> None:
+    debuggee = began("*200\nCLA\nHLT\n$\n", tmp_path)
+    machine = debuggee.monitor.machine
+    assert debuggee.stands() == Halt("pause")
+    (point,) = debuggee.breakpoints.put(
+        debuggee.monitor, debuggee.places, ADDRESSES, "", [("0201", {"name": "0201"})]
+    )
+    assert debuggee.into() == Halt("step")
+    assert debuggee.stands() == Halt(ADDRESSES, "", (point["id"],))
+    assert debuggee.into() == Halt("halt", "HLT at 0201")
+    assert debuggee.stands() == Halt("halt", "the machine is stopped; next is 0202")
+    machine.panel.sing_step = True
+    assert debuggee.stands() == Halt("pause")
 
 
 def test_commands_of_a_launch_find_the_switches_set_and_may_set_them(tmp_path: Path) -> None:
