@@ -16,7 +16,7 @@ Not found out: why a program goes wrong and stays within its words.
 from collections.abc import Mapping
 from copy import copy
 
-from pal.isa import EXECUTE, INDIRECT, IOT, JMP, JMS, autoindexed, refers_to
+from pal.isa import EXECUTE, INDIRECT, IOT, ISZ, JMP, JMS, autoindexed, refers_to
 from pdp8.computer.hardware.core import Core
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
@@ -127,9 +127,10 @@ def ended(stop: Stop, machine: Machine) -> str:
     if stop.reason is Reason.HALT:
         return f"HLT at {machine.ma:04o}"
     if stop.reason is Reason.PROTECT:
-        known = machine.processor.state == EXECUTE and machine.ir != JMS  # a JMS has its target in PC
-        at = f" at {stop.pc - 1 & 0o7777:04o}" if known else ""
-        return f"MEM PROT stopped a write{at} into {machine.ma:04o}"
+        if machine.processor.state != EXECUTE or machine.ir == JMS:  # PC is not behind the instruction
+            return f"MEM PROT stopped a write into {machine.ma:04o}"
+        skipped = machine.ir == ISZ and machine.mb == 0
+        return f"MEM PROT stopped a write at {stop.pc - 1 - skipped & 0o7777:04o} into {machine.ma:04o}"
     if stop.reason is Reason.TAPE_OUT:
         return f"the reader ran out of tape, and the program waits for it at {stop.pc:04o}"
     if stop.reason is not Reason.IDLE:

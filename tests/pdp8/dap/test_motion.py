@@ -136,6 +136,7 @@ def test_a_jump_through_a_word_that_is_no_entry_is_no_return() -> None:
         ("DCA I P;P,7600", 0, Halt("step")),
         ("DCA I P;P,7600", 1, Halt("exception", "MEM PROT stopped a write at 0200 into 7600")),
         ("ISZ I P;P,7777", 1, Halt("exception", "MEM PROT stopped a write at 0200 into 7777")),
+        ("ISZ .;P,7777", 1, Halt("step")),
         ("DCA I P;P,7577", 1, Halt("step")),
         ("JMS I P;P,7600", 1, Halt("exception", "MEM PROT stopped a write into 7600")),
         ("JMP I P;P,7600", 1, Halt("step")),

@@ -197,7 +197,7 @@ def test_a_stop_says_its_reason(page: Page, speed: str) -> None:
     for kind, where, said in (
         ("address", "202", "breakpoint at 0202."),
         ("word", "204", "the word at 0204 has changed from 0000 to 7402."),
-        ("word", "777", "MEM PROT stopped a write at 0202 into 7700. While MEM PROT is up, nothing writes into"),
+        ("word", "777", "MEM PROT stopped a write at 0202 into 7700. While MEM PROT is up, nothing writes"),
     ):
         page.evaluate("workbench.machine.load([[0o204, 0]]); workbench.machine.panel.load_address(0o200);")
         page.evaluate("workbench.machine.processor.lac = 0")
