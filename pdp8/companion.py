@@ -47,7 +47,7 @@ def read(text: str) -> tuple[Nominal, str]:
         found = json.loads(text)
         blocks = str(found.pop("blocks", ""))
         if found.pop("is", None) != _MARK:
-            raise WorkError(f'it is not a nominal curve of ours: "is" has to be "{_MARK}"')
+            raise ValueError(f'"is" has to be "{_MARK}"')
         numbers, points = tuple(map(float, found.pop("numbers"))), found.pop("points", ())
         nominal = Nominal(numbers=numbers, points=tuple((float(x), float(y)) for x, y in points), **found)
         _check(nominal)
