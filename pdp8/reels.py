@@ -163,12 +163,9 @@ class Reels:
 
     def save(self, device: str, name: str) -> str:
         """Save a reel or the discs as they are now; return what to say of it. Raises WorkError."""
-        place = self.places[device]
-        if not place.file:
-            raise WorkError(f"{place.place}: no tape is mounted")
         if any(_same(each.file, name) for each in self.mounted()):
             raise WorkError(f"{name} was mounted; name another file")
-        return place.save(name)
+        return self.places[device].save(name)
 
     def rescue(self) -> Iterator[str]:
         """Save each changed reel, and changed discs, beside their file; yield a message for each."""
