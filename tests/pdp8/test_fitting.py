@@ -113,9 +113,11 @@ REFUSED = {
     "none.py:KW8": "none.py: no such file",
     "ticks.pal:KW8": "ticks.pal: a device is in a Python file, NAME.py",
     "clock.py:KW9": "clock.py: there is no class KW9 in it",
+    "wrong.py:Other": "wrong.py: Other is no class derived from Device of pdp8.computer.hardware.bus",
     "clock.py:PERIOD": "clock.py: PERIOD is no class derived from Device of pdp8.computer.hardware.bus",
     "broken.py:X": "broken.py, line 2: ZeroDivisionError: division by zero",
     "syntax.py:X": "syntax.py, line 1: SyntaxError: ",
+    "nul.py:X": "nul.py: ",
     "leaves.py:X": "leaves.py, line 1: SystemExit: 3",
     "wrong.py:Bare": "Bare: it has no method pulse, which a device has to have",
     "wrong.py:Half": "Half: it has no method initialize, which a device has to have",
@@ -133,9 +135,10 @@ REFUSED = {
 def test_what_is_no_device_is_refused(call: Call) -> None:
     Path("broken.py").write_text("\n1 / 0\n")
     Path("syntax.py").write_text("class :\n")
+    Path("nul.py").write_text("\0")
     Path("leaves.py").write_text("raise SystemExit(3)\n")
     Path("wrong.py").write_text(
-        f"{WRONG}class Bare(Device):\n CODE = 0o13\n"
+        f"{WRONG}class Other: pass\nclass Bare(Device):\n CODE = 0o13\n"
         "class Half(Device):\n CODE = 0o13\n"
         " def advance(self, now): pass\n def pulse(self, iop, ac, now): return 0\n"
         f"class Nowhere(Device):\n{BODY}"

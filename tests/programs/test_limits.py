@@ -6,11 +6,12 @@ from math import cos, inf, nan, pi, sin
 
 import pytest
 
-from programs import points, printout
+from programs import drawn, points, printout
 from programs.function import check_cutter
 from programs.header import Header
 from programs.least_squares import fit
 from programs.piecewise import Technique
+from programs.units import thousandths, tolerance_units
 from tapes.errors import WorkError
 from tests.conftest import case
 
@@ -53,6 +54,9 @@ LIMITS: list[tuple[Callable[..., object], list[object], list[object]]] = [
     (Technique, [1, 18], [0, 19]),
     (lambda error: Technique(5, error), [0, 0.999], [-0.001, 1]),
     (check_cutter, [0.001, 10], [0, 10.001, nan]),
+    (partial(thousandths, "X"), [0.001, 5], [0.0005, inf, nan]),
+    (tolerance_units, [0.0005, 5], [inf, nan]),
+    (lambda count: drawn.part("1 " * count), [2], [0, 1]),
     (lambda degree: fit(around(7), degree), [0, 3], [-1, 7]),
     (outlined, [around(5000), around(400)], [around(5001), around(2)]),
     (lambda far: outlined([(0, 0), (far, 0), (far, 1), (0, 1), (0, 0)]), [99.9, -99.9], [100, -100]),

@@ -246,7 +246,9 @@ def test_a_script_gives_constants_as_the_command_takes_them(
 ) -> None:
     name, *more = shlex.split(typed)
     printed = ascii.decode(call(f"pdp8 part {typed}")[1].encode("utf-8", "surrogateescape"))
-    assert printed == parts.part(name, *more[: name in ("curve", "profile")], **constants)
+    formula = more[: name in ("curve", "profile")]
+    assert printed == parts.part(name, *formula, **constants)
+    assert printed == parts.part(name, **constants, **dict(zip(("expression",), formula, strict=False)))
 
 
 def test_a_script_is_told_what_the_command_says() -> None:
@@ -254,6 +256,8 @@ def test_a_script_is_told_what_the_command_says() -> None:
         ("circle", {"radius": 1750}, "radius: 1750 in: must be less than 100 in; for 1750 thousandths write"),
         ("circle", {"radus": 1}, "no constant 'radus'; there are radius, tolerance"),
         ("circle", {"technique": "leap"}, "technique: 'leap' is not one of"),
+        ("circle", {"radius": True}, "radius: True is not a number"),
+        ("circle", {"close": 1}, "close: 1 is not True or False"),
         ("heptagon", {}, f"no such part program; there are {', '.join(parts.PARTS)}"),
     ]
     for name, constants, message in refused:

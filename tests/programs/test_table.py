@@ -86,6 +86,31 @@ def test_a_title_says_no_unit_by_chance() -> None:
     assert not any("lengths" in note for note in read(b"Cam made in Germany\n1,2\n3,4\n").notes)
 
 
+@pytest.mark.parametrize(
+    ("text", "notes"),
+    [
+        ("sep=/\n1/2\n3/4\n5/1\n", []),
+        ("P1;1;2\nP2;3;4\nP3;5;1\n", []),
+        ("1;1;2\n2;3;4\n3;5;1\n", ["the first column numbers the points: x and y are the next two"]),
+        ("1,2\n3,4\nx,y\n5,1\n", []),
+        ("# the x axis of it\n1 2\n3 4\n5 1\n", []),
+        (
+            "# made;by;hand\n1;1;2\n2;3;4\n3;5;1\n",
+            ["the first column numbers the points: x and y are the next two"],
+        ),
+        (
+            "Nr. 7;Blatt 2;Nocken\nP1;1;2\nP2;3;4\nP3;5;1\n",
+            ["line 1: 'Nr. 7;Blatt 2;Nocken' is no point: skipped"],
+        ),
+        ("NACA\n 9. 9.\n\n" + " 0.5 0.1\n" * 18, ["line 1: 'NACA' is no point: skipped"]),
+    ],
+)
+def test_what_is_beside_the_points_is_said_or_skipped(text: str, notes: list[str]) -> None:
+    found = read(text.encode())
+    assert found.notes == notes
+    assert found.places[:3] == [(1, 2), (3, 4), (5, 1)] or text.startswith("NACA")
+
+
 def test_an_angle_and_a_radius_are_polar() -> None:
     text = "Winkel;Radius\n0°;1,5\n90°;2\n180°;1\n"
     found = read(text.encode()).places
@@ -130,6 +155,16 @@ def test_a_unit_has_several_names_and_angles_two_signs() -> None:
         ("NACA\n 12. 12.\n\n" + " 0.5 0.1\n" * 24, "line 2: the numbers of points of two lists"),
         ("%PDF-1.4\n1 2\n", "it is a PDF: export the points as CSV"),
         ("PK\x03\x04", "it is a workbook: save its sheet as CSV"),
+        ("NACA\n 10. 10.\n\n" + " 0.5 0.1\n" * 20, "line 2: the numbers of points of two lists"),
+        ("1 (2, 3)\n4 (5, 6)\n7 (8, 0)\n", "line 1: '1 (2, 3)'"),
+        ("1,2\n3,4\n1e999,5\n", "line 3: '1e999,5' is not x and y of a point"),
+        ("1,2\n3,4\nx1,y1\n5,6\n", "line 3: 'x1,y1' is not x and y of a point"),
+        ("n;x;y\n1;2\n3;4\n5;1\n", "line 1: which columns are x and y?"),
+        ("Sheet;2\n1;2\n3;4\n5;1\n", "line 1: 'Sheet;2' is not x and y of a point"),
+        ("Seite;Teil;Nocken\n1;1;2\n2;3;4\n3;5;1\n", "line 1: which columns are x and y?"),
+        ("n,x,y\n1,2,3\n2,3\n3,5,1\n", "line 3: '' is not the y of a point, '2,3'"),
+        ("n,r,theta\n1,2,90\n2,3\n3,5,180\n", "line 3: '' is not the y of a point, '2,3'"),
+        ("n,r,theta\n1,2,90\n2,3,a\n3,5,180\n", "line 3: 'a' is not the y of a point"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),
         ("  0\nSECTION\n", "it is a DXF drawing: export the points as CSV"),
         ("# O\no C\nv 0 0 0\nv 1 1 0\nl 1 2\n", "it is a mesh (OBJ): export the points as CSV"),
