@@ -1,7 +1,7 @@
 """The mutants of a source: one change each, of the kinds that people make.
 
     a < b     a <= b, a >= b        not a     a            return a     return None
-    a + b     a - b                 a and b   a or b       f(a)         (nothing)
+    a + b     a - b                 a and b   a or b, a, b f(a)         (nothing)
     7         8                     if a      if not a     x.y = a      (nothing)
     "word"    "word?"               case a if b   if True  raise E      (nothing)
 
@@ -137,6 +137,9 @@ def _changes(node: ast.expr | ast.stmt) -> Iterator[ast.expr | ast.stmt]:
             yield ast.Pass()
         case ast.BoolOp(junction, values):
             yield ast.BoolOp(ast.Or() if isinstance(junction, ast.And) else ast.And(), values)
+            for left_out in range(len(values)):
+                rest = values[:left_out] + values[left_out + 1 :]
+                yield rest[0] if len(rest) == 1 else ast.BoolOp(junction, rest)
         case ast.UnaryOp(ast.Not() | ast.USub(), operand):
             yield operand
         case ast.Constant(bool() as flag):

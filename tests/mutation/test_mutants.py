@@ -25,6 +25,8 @@ def test_each_change_is_made_once() -> None:
         (3, "", "7 → 8"),
         (5, "f", "2 → 3"),
         (6, "f", "a < b and (not g()) → a < b or not g()"),
+        (6, "f", "a < b and (not g()) → not g()"),
+        (6, "f", "a < b and (not g()) → a < b"),
         (6, "f", "a < b → a <= b"),
         (6, "f", "a < b → a >= b"),
         (6, "f", "not g() → g()"),
