@@ -4,8 +4,8 @@
 
 The folders are bench, room, curve, and "." for the modules beside them; --fast runs what `make test` runs.
 
-As in mutants.py: a comparison, an operator, a condition, a number, a return, a statement. A number within a
-template or an object is a size or a colour, which no test knows.
+As in mutants.py: a comparison, an operator, a condition, its halves, a number, a return, a statement. A
+number within a template or an object is a size or a colour, which no test knows.
 """
 
 import argparse
@@ -54,6 +54,7 @@ for (const file of JSON.parse(readFileSync(0, "utf8"))) {
       const start = left.end + text.slice(left.end, right.start).lastIndexOf(operator);
       for (const other of OTHERS[operator]) change({ start, end: start + operator.length }, other);
     }
+    if (type === "LogicalExpression") for (const half of [left, right]) change(node, `(${of(half)})`);
     if (operator === "!") change(node, of(argument));
     if (type === "Literal" && plain && typeof value === "number") change(node, String(value + 1));
     if (type === "Literal" && typeof value === "boolean") change(node, String(!value));
