@@ -157,7 +157,7 @@ def pal(
     if tape:
         writes.append(partial(_punch, tape, rim, force, errors, assembly))
     _write_each(writes)
-    if errors and not tape:
+    if errors:
         raise AssemblyError(_counted(errors))
 
 
@@ -309,16 +309,17 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
         code = codes.recognise(frames)
         if isinstance(code, Characters):
             raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
-        if not isinstance(code, Words) and (what := dectape.image(len(frames))):
+        if isinstance(code, Words):
+            notes = code.left_out(frames)
+            if force and (damage := code.damage(frames)):
+                frames = binary.encode(code.readable(frames))
+                said.append(f"{damage}; disassembled as far as it can be read")
+            said += notes
+        elif what := dectape.image(len(frames)):
             raise WorkError(f"{what}, not a tape in BIN or RIM")
-        damage = code.damage(frames) if isinstance(code, Words) and force else None
-        notes = code.left_out(frames) if isinstance(code, Words) else ()
-        if damage and isinstance(code, Words):
-            frames = binary.encode(code.readable(frames))
-            said.append(f"{damage}; disassembled as far as it can be read")
         source = silenced(disassemble_tape(frames, tags, entry))
     command.put(output, source)
-    command.say_of(tape, (*said, *notes))
+    command.say_of(tape, said)
 
 
 def _symbols(name: str | None) -> dict[str, int]:

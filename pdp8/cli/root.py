@@ -50,8 +50,8 @@ class _Lazy(Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Take `help COMMAND` for `COMMAND --help`."""
         if args[0] == "help":
-            args = [*args[1:2], "--help"]
-            if len(args) == 1:
+            args = [*args[1:], "--help"]
+            if len(args) == 1 and not ctx.resilient_parsing:
                 click.echo(ctx.get_help())
                 ctx.exit()
         return super().resolve_command(ctx, args)

@@ -47,7 +47,9 @@ def ctrl_c(on_press: Callable[[], object] = lambda: None) -> Iterator[Interrupt]
         noted.pressed = True
         on_press()
 
-    before = signal.signal(signal.SIGINT, press)
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.SIG_IGN:  # as a shell has it for what runs in the background
+        signal.signal(signal.SIGINT, press)
     try:
         yield noted
     finally:

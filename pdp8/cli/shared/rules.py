@@ -104,8 +104,7 @@ def check(ctx: click.Context) -> None:
         name, valued, value = word.partition("=")
         if not valued:
             return known[name] in given
-        found = ctx.params[known[name].name or ""]
-        return value in (map(str, found) if isinstance(found, tuple) else (str(found),))
+        return str(ctx.params[known[name].name or ""]) == value
 
     for param in given:
         name = words(param)[0]

@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from errno import ENOSPC, EPIPE
+from errno import ENOENT, ENOSPC, EPIPE
 from functools import partial
 from io import BytesIO, TextIOWrapper
 from pathlib import Path
@@ -29,6 +29,7 @@ from tapes.errors import TapeError, visible
         (MemoryError(), 1, "own part: out of memory"),
         (OSError(ENOSPC, "full", "x"), 1, "own part: x: full"),
         (OSError(ENOSPC, "full"), 1, "own part: standard output: full"),
+        (FileNotFoundError(ENOENT, "gone"), 1, "own part: the current folder: gone"),
         (OSError("odd"), 1, "own part: standard output: odd"),
         (BrokenPipeError(EPIPE, "closed"), 0, ""),
         (BrokenPipeError(), 0, ""),
@@ -52,6 +53,15 @@ def test_what_is_raised_is_said_in_a_line(
     monkeypatch.setattr(sys, "stdout", sys.stdout)  # click puts another one there
     assert command.status(own, "own", ["part", "own"]) == status
     assert capsys.readouterr() == ("", said and f"{said}\n")
+
+
+def test_a_fault_of_the_program_is_shown_as_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whether or not the module is there that tells a device's."""
+    for known in (True, False):
+        if not known:
+            monkeypatch.delitem(sys.modules, "pdp8.fitting")
+        with pytest.raises(ZeroDivisionError):
+            command.status(click.Command("own", callback=lambda: 1 // 0), "own", [])
 
 
 @pytest.mark.parametrize(("returned", "status"), [(3, 3), (None, 0), ("3", 0)])

@@ -15,6 +15,7 @@ EDITABLE = '{"url": "file:///home/ana/pdp8", "dir_info": {"editable": true}}'
     [
         ("/home/ana/lab", True, {}, 'pip install "pdp8[nc]"'),
         ("/home/ana/lab", False, {}, '/home/ana/lab/bin/python -m pip install "pdp8[nc]"'),
+        (sys.base_prefix, False, {}, 'pip install "pdp8[nc]"'),
         ("/home/ana/lab", False, {"INSTALLER": "uv\n"}, 'uv pip install "pdp8[nc]"'),
         ("/home/ana/.local/pipx/venvs/pdp8", False, {}, 'pipx install --force "pdp8[nc]"'),
         ("/home/ana/.local/share/uv/tools/pdp8", False, {}, 'uv tool install --force "pdp8[nc]"'),

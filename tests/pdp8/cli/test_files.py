@@ -12,11 +12,13 @@ import pytest
 
 from pdp8 import shelf
 from pdp8.cli.assemble import pal
+from pdp8.cli.os8 import _packed
 from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.lessons import form
 from tapes import binary
+from tapes.errors import WorkError
 from tapes.text import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell
@@ -146,12 +148,20 @@ def test_a_closed_pipe_loses_no_named_output(shell: Shell, tmp_path: Path) -> No
     done = shell(f"{line} | head -c 5 > five; echo ${{PIPESTATUS[0]}}")
     assert done.stdout == b"0\n"
     assert b"the reader of standard output has closed it" in done.stderr
+    assert shell("pdp8 run eia.pal --reader half.asc --quiet | true").stderr == b""
     assert state.restore((tmp_path / "s.st").read_text()).instructions > 100
     assert (tmp_path / "t.tr").stat().st_size > 10_000
     assert (tmp_path / "five").read_bytes() == shelf.read_bundled("circle.eia")[:5]
     shell("pdp8 cards all -o c 2>&1 | true; pal eia.pal --listing - -o x.bin 2>&1 | true")
     assert len(list((tmp_path / "c").iterdir())) == 5
     assert (tmp_path / "x.bin").read_bytes() == shelf.read_bundled("eia.bin")
+
+
+def test_a_word_of_a_file_of_os8s_has_12_bits() -> None:
+    assert _packed(b"\xff\x0f", "words") == [0o7777]
+    for content in (b"\0\x10", b"\0\0\0"):
+        with pytest.raises(WorkError, match="no words of 12 bits"):
+            _packed(content, "words")
 
 
 def test_the_longest_tape_is_taken(call: Call) -> None:
@@ -204,6 +214,9 @@ def test_completion_has_files_and_bundled_names(tmp_path: Path, monkeypatch: pyt
     assert completed(pdp8, ["cards", "-o"], "") == [("", "dir")]
     assert ("add", "plain") in completed(pdp8, ["check"], "ad")
     assert ("circle.eia", "plain") in completed(pdp8, ["nc", "cut"], "circ")
+    for before in ("help", "--version", "nonsense"):
+        assert completed(pdp8, [before], "ru") == [("run", "plain")]
+    assert completed(pdp8, ["help", "tape"], "sh") == [("show", "plain")]
 
 
 def test_a_command_that_waits_for_a_terminal_says_so(call: Call) -> None:

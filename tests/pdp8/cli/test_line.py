@@ -12,12 +12,16 @@ import termios
 import time
 import tty
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 
-from pdp8.cli.running.line import Tcp, opened
+from pdp8.cli.running.line import Line, Tcp, opened
+from pdp8.computer.machine import Machine
+from pdp8.computer.stop import Reason
 from pdp8.shelf import ShelfError
 from tests import commands
 from tests.commands import Terminal
@@ -88,14 +92,18 @@ def test_a_terminal_that_sends_parity(parity: str) -> None:
     assert commands.signalled(run, signal.SIGINT)[0] == 130
 
 
-def test_a_pipe_that_stays_open_is_read_as_it_comes() -> None:
-    run = commands.start("pdp8", "run", "eia.pal", stdin=subprocess.PIPE)
+@pytest.mark.parametrize("trap", ["", "trap '' INT; "])
+def test_a_pipe_that_stays_open_is_read_as_it_comes(trap: str) -> None:
+    """Ctrl-C is not for what runs in a script's background, where SIGINT is ignored."""
+    run = commands.start("bash", "-c", f"{trap}exec pdp8 run eia.pal", stdin=subprocess.PIPE)
     assert run.stdin
     assert run.stdout
     os.write(run.stdin.fileno(), LINE[:6])
     first = os.read(run.stdout.fileno(), 100)
     assert first
     time.sleep(0.5)
+    if trap:
+        run.send_signal(signal.SIGINT)
     os.write(run.stdin.fileno(), LINE[6:])
     rest, said = run.communicate(timeout=20)
     assert_same_tape(first + rest, WHOLE)
@@ -139,8 +147,9 @@ def test_several_tapes_one_after_another(shell: Shell, call: Call) -> None:
     assert call("pdp8 run eia.pal --reader a.asc --reader b.asc --punch x --quiet") == (0, "", "")
 
 
-def test_channel_8_is_explained_where_frames_go_down_a_pipe(shell: Shell) -> None:
-    done = shell("pdp8 run hello.pal; pdp8 run hello.pal --punch x")
+def test_channel_8_is_explained_where_frames_go_down_a_pipe(shell: Shell, tmp_path: Path) -> None:
+    (tmp_path / "plain.pal").write_text("*200\n\tLAS\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n$\n")
+    done = shell("pdp8 run hello.pal; pdp8 run hello.pal --punch x; pdp8 run plain.pal --sr 101")
     assert done.stderr.count(b"the frames have channel 8") == 1
 
 
@@ -177,7 +186,7 @@ def test_a_restored_machine_keeps_its_tape_and_names_an_input_that_it_does_not_r
     assert (done.returncode, unread in done.stderr) == (0, True)
     assert_same_tape(first.stdout + done.stdout, WHOLE[:12])
     others = f"--reader a.asc --reader - {given}", f"--reader a.asc {given}", f"--quiet {given}"
-    for line in ("< /dev/null", *others):
+    for line in ("< /dev/null", "< <(:)", *others):
         assert unread not in shell(f"pdp8 run --restore s {line} > rest").stderr
 
 
@@ -220,6 +229,45 @@ def test_a_port_is_from_1_to_65535(port: str) -> None:
     with pytest.raises(ShelfError) as refused:  # nobody here has this address
         opened(f"tcp:192.0.2.1:{port}")
     assert ("a port from 1 to 65535" in str(refused.value)) == (port not in ("1", "65535"))
+
+
+def test_a_line_has_what_is_printed_until_the_program_halts() -> None:
+    class Kept(Line):
+        def __init__(self, bits: int) -> None:
+            super().__init__(bits, full_speed=True)
+            self.sent = bytearray()
+
+        def received(self, seconds: float) -> bytes:
+            return b""
+
+        def send(self, frame: int) -> None:
+            self.sent.append(frame)
+
+    for bits in (7, 8):
+        machine, line = Machine(), Kept(bits)
+        machine.load({0o200: 0o7604, 0o201: 0o6046, 0o202: 0o6041, 0o203: 0o5202, 0o204: 0o7402})
+        machine.sr = 0o301
+        machine.start(0o200)
+        stop = line.run(machine, 1.0, lambda: None)
+        assert stop is not None
+        assert (stop.reason, bytes(line.sent)) == (Reason.HALT, b"A" if bits == 7 else b"\xc1")
+
+
+def test_a_tcp_port_of_8_bits_has_an_address_and_doubles_what_is_telnets(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    with click.Context(click.Command("run")):
+        line = opened(f"tcp:localhost:{port}", 8)
+    assert capsys.readouterr().err == f": listens on localhost:{port}, 8 bits; Ctrl-C stops\n"
+    with closing(line), socket.create_connection(("localhost", port)) as client:
+        client.settimeout(20)
+        assert line.received(20) == b""
+        line.send(0o377)
+        line.send(0o301)
+        assert b"".join(client.recv(1) for _ in range(9)) == b"\xff\xfb\x01\xff\xfb\x03\xff\xff\xc1"
 
 
 def test_telnets_options_are_taken_out_wherever_a_packet_ends() -> None:

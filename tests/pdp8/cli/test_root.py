@@ -43,6 +43,12 @@ def test_no_command_is_misuse_and_shows_the_help_alone(command: str, call: Call)
     assert shown + said == call(f"{command} --help")[1]
 
 
+def test_help_is_a_command_too(call: Call) -> None:
+    for words in ("", "tape", "tape show"):
+        assert call(f"pdp8 help {words}") == call(f"pdp8 {words} --help")
+    assert call("pdp8 help help")[0] == 2
+
+
 @pytest.mark.parametrize("group", ["", "tape", "nc", "part", "thesis"])
 def test_lists_of_commands_have_whole_lines(group: str, call: Call) -> None:
     listed = call(f"pdp8 {group} --help")[1].partition("Commands:\n" if group else "Run:\n")[2]

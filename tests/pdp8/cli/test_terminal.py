@@ -9,13 +9,15 @@ from pathlib import Path
 import click
 import pytest
 from click.testing import CliRunner
+from prompt_toolkit.application import create_app_session
 from prompt_toolkit.input import PipeInput, create_pipe_input
 from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
+from prompt_toolkit.output import DummyOutput
 
 from pdp8.cli import monitor
 from pdp8.cli.run import run
-from pdp8.cli.running import keyboard
+from pdp8.cli.running import keyboard, pacing
 from pdp8.cli.running.feed import Feed
 from pdp8.cli.running.keyboard import Terminal, characters, typed
 from pdp8.cli.shared import command
@@ -23,7 +25,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
 from pdp8.monitor.prompt import Monitor
-from tests.conftest import case
+from tests.conftest import Call, case
 
 
 @pytest.fixture
@@ -67,6 +69,45 @@ def test_an_escape_stops_and_what_is_typed_behind_it_is_for_the_monitor(
             assert machine.teletype.keyboard.waiting == sent(before)
 
 
+def test_a_terminal_that_is_closed_stops_the_program(
+    keys: PipeInput, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keyboard, "create_input", lambda: keys)
+    machine = Machine()
+    machine.load({0o200: 0o5200})
+    machine.start(0o200)
+    keys.close()
+    assert Terminal().run(machine, 1.0)[1]
+
+
+@pytest.mark.parametrize("tape", [False, True])
+@pytest.mark.parametrize(("realtime", "seconds"), [(False, 0.23), (True, 1.18)])
+def test_a_program_that_waits_for_a_key_has_it_when_it_comes(
+    tape: bool, realtime: bool, seconds: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The third look takes a second of the clock: in real time the machine has waited as long."""
+    machine, clock, looks = Machine(), [0.0], list[float]()
+    machine.load({0o200: 0o6032, 0o201: 0o6031, 0o202: 0o5201, 0o203: 0o6034, 0o204: 0o7402})
+    machine.start(0o200)
+    if tape:
+        machine.teletype.reader.load(b"")
+    monkeypatch.setattr("pdp8.cli.running.pacing.time.monotonic", lambda: clock[0])
+
+    def take(seconds: float) -> bytes:
+        looks.append(seconds)
+        clock[0] += 1.0 if len(looks) == 3 else 0.05
+        return b"\x81" if len(looks) == 3 else b""
+
+    stop = pacing.live(machine, None, lambda: None, take, realtime)
+    assert stop is not None
+    assert (stop.reason, machine.ac, looks[:3]) == (Reason.HALT, 0o201, [0.05] * 3)
+    assert machine.elapsed == pytest.approx(seconds, abs=0.01)
+    machine.start(0o200)
+    limited = pacing.live(machine, machine.elapsed + 0.12, lambda: None, take, realtime)
+    assert limited is not None
+    assert limited.reason is Reason.LIMIT
+
+
 def test_the_page_keeps_its_column_and_a_message_has_a_line_of_its_own(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -75,11 +116,11 @@ def test_the_page_keeps_its_column_and_a_message_has_a_line_of_its_own(
     printer.on_frame = before = heard.append
     for _ in range(2):
         with terminal.printing(machine):
-            for frame in b"AB\n\n\r\nC":
+            for frame in b"A \n\n\r\nC\7":
                 printer.on_frame(frame)
         terminal.say("said")
         terminal.say("more")
-        assert capsys.readouterr().out == "AB\n\x1b[3G\n\x1b[3G\r\nC\nsaid\nmore\n"
+        assert capsys.readouterr().out == "A \n\x1b[3G\n\x1b[3G\r\nC\7\nsaid\nmore\n"
     assert (printer.on_frame, heard) == (before, [])
 
 
@@ -101,6 +142,31 @@ def test_the_prompt_gives_each_answer_a_line_and_takes_the_tapes_off_at_the_end(
         assert found.startswith(shown)
         assert (tmp_path / "out").read_bytes() == b"\xc1" * shown.count("A\n")
     assert found == shown + "0200  7300          CLA CLL\nreplaced out: 2 frames\n"
+
+
+def test_what_is_typed_is_kept_where_there_is_a_folder_of_states(
+    keys: PipeInput, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    for kept in (False, True):
+        keys.send_text("examine 200\r\4")
+        with create_app_session(keys, DummyOutput()):
+            assert list(monitor._typed()) == ["examine 200"]
+        assert (tmp_path / "state" / "pdp8-monitor").exists() == kept
+        (tmp_path / "state").mkdir(exist_ok=True)
+
+
+def test_echo_is_for_a_script(call: Call) -> None:
+    assert call("pdp8 monitor --echo", terminal=True)[0] == 2
+
+
+def test_a_terminal_is_shown_the_page_and_no_control_codes(call: Call, tmp_path: Path) -> None:
+    (tmp_path / "a.pal").write_text("*200\nA,\tLAS / \x1b\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n$\n")
+    assert call("pdp8 run a.pal --sr 301", terminal=True)[1] == "A"
+    assert call("pdp8 run a.pal --sr 301")[1].encode(errors="surrogateescape") == b"\xc1"
+    shown = call("pdp8 run a.pal --sr 301 --punch a.tape --trace -", terminal=True)[1]
+    assert "\x1b" not in shown
+    assert "␛" in shown
 
 
 def test_backspace_is_rubout_on_windows_too(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,9 +2,11 @@
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from pdp8.lessons.drill import LEFT_ALONE
 from tests.commands import BIN, Terminal
 from tests.conftest import Call, Shell, assert_same_tape
 
@@ -31,9 +33,28 @@ def test_it_wants_a_terminal_and_textual(call: Call, monkeypatch: pytest.MonkeyP
     said = "pdp8 panel: the panel needs a terminal; `pdp8 run` works without one\n"
     assert call("pdp8 panel") == (1, "", said)
     monkeypatch.setitem(sys.modules, "textual", None)
+    piped = Terminal("bash", "-c", "pdp8 panel | cat; pdp8 run echo.pal --keyboard | cat")
+    piped.until(b"the panel needs a terminal;")
+    piped.until(b"--keyboard needs a terminal")
     status, _, said = call("pdp8 panel", terminal=True)
     assert (status, said[:31]) == (1, "pdp8 panel: the panel needs Tex")
     assert said.endswith('[panel]"\n')
+
+
+def test_it_opens_as_its_options_say(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
+    app = pytest.importorskip("pdp8.console.app", reason="Textual, the extra `panel`, is not installed")
+    rooms: list[Any] = []
+
+    def run(room: object) -> None:
+        rooms.append(room)
+
+    monkeypatch.setattr(app.Room, "run", run)
+    for options in ("--sr 1234", "", "--drill rim", "--drill rim --kiosk"):
+        with pytest.raises(SystemExit):
+            call(f"pdp8 panel {options}", terminal=True)
+    assert [room.session.machine.sr for room in rooms[:2]] == [0o1234, 0]
+    coaches = [room.coach and (room.coach.drill.name, room.coach.left_alone) for room in rooms]
+    assert coaches == [None, None, ("rim", None), ("rim", LEFT_ALONE)]
 
 
 def test_a_tape_is_translated_at_a_terminal(shell: Shell, tmp_path: Path) -> None:

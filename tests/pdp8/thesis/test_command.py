@@ -81,6 +81,16 @@ def test_a_narrow_terminal_has_every_word(
     )
 
 
+def test_a_terminal_of_80_columns_has_a_table(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    for width in (79, 80):
+        monkeypatch.setenv("COLUMNS", str(width))
+        _show(Table(("a",) * 5, (("1", "2", "3", "4", "lost"),)), "", coloured_by=4)
+        assert ("│" in capsys.readouterr().out) == (width == 80)
+
+
 def test_make_alone_says_where_the_numbers_are(call: Call) -> None:
     status, printed, said = call("pdp8 thesis make")
     assert (status, printed) == (2, "")
