@@ -120,9 +120,7 @@ def set_(monitor: Monitor, name: str, text: str) -> None:
 
 def set_core(monitor: Monitor, size: str) -> None:
     """Let the machine have other core; what is in core and in the devices stays."""
-    memory = MEMORY.get(size.lower())
-    if memory is None:
-        raise MonitorError(f"{size}: {', '.join(MEMORY)} are the sizes of core")
+    memory = MEMORY[size]
     if memory == monitor.machine.memory:
         return
     if any(monitor.machine.core[min(memory, monitor.machine.memory) :]):

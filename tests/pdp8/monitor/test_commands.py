@@ -72,6 +72,18 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     assert not said[-1].startswith("stop key; ")
 
 
+def test_a_traced_step_is_the_last_after_ctrl_c() -> None:
+    said: list[str] = []
+
+    def say(line: str) -> None:
+        said.append(line)
+        made.stopping = len(said) == 2
+
+    made = Monitor(say)
+    do(made, "step 5")
+    assert len(said) == 2
+
+
 def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not(tmp_path: Path) -> None:
     def say(line: str) -> None:
         made.stopping = made.stopping or line.endswith("goes into the reader")
