@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from functools import reduce
 
 from pdp8.web.translator.expressions import Expressions
+from pdp8.web.translator.types import whole
 
 _Names = frozenset[str] | None
 """The names that have a value; None where control never comes."""
@@ -142,8 +143,7 @@ def _runs(source: ast.AST) -> bool:
             return any(not isinstance(each, ast.Starred) for each in items)
         case ast.Call(ast.Name("enumerate"), [ast.Tuple() | ast.List() as inner, *_]):
             return _runs(inner)
-        case ast.Call(ast.Name("range"), args) if all(
-            isinstance(each, ast.Constant | ast.UnaryOp) for each in args
-        ):
-            return bool(eval(compile(ast.Expression(source), "", "eval"), {"range": range}))
+        case ast.Call(ast.Name("range"), [_] | [_, _] | [_, _, _] as args):
+            numbers = [number for each in args if (number := whole(each)) is not None]
+            return len(numbers) == len(args) and 0 not in numbers[2:] and bool(range(*numbers))
     return False

@@ -10,6 +10,7 @@ import ast
 from pdp8.web.translator.expressions import MOST, Expressions, member
 from pdp8.web.translator.program import Found, Parameter
 from pdp8.web.translator.types import (
+    ANY,
     BOOL,
     FLOAT,
     INT,
@@ -56,6 +57,8 @@ class Calls(Expressions):
                 return text
         found = self.found(function)
         if self.after_super(function):
+            if found is None:
+                self.fail(node, "no base class has such a method")
             return f"super.{name}({self._arguments(node, found)})"
         self.infer(node)  # what it says of the functions it is given
         if found and not found.ours and not found.is_module:
@@ -146,10 +149,10 @@ class Calls(Expressions):
 
     def _least(self, node: ast.Call, name: str, kinds: list[Type]) -> str:
         """Return the least or the largest of several arguments."""
-        if set(kinds) <= {*WHOLE} and not (self.checked and any(map(self._is_large, node.args))):
-            return f"Math.{name}({self.all(node.args)})"
         if any(isinstance(each, ast.Starred) for each in node.args):
             return ""
+        if set(kinds) <= {*WHOLE} and not (self.checked and any(map(self._is_large, node.args))):
+            return f"Math.{name}({self.all(node.args)})"
         kind = self._joined(node.args)
         self.orderable(node, kind, kind)
         if not self.checked and set(kinds) <= {*NUMBERS}:
@@ -167,11 +170,10 @@ class Calls(Expressions):
             name, found = leaf(each), self.found(each)
             if not isinstance(each, ast.Name | ast.Attribute):
                 self.fail(node, instead="a tuple of classes")
-            of_python = name in _KINDS and not (found and found.ours)
-            if not of_python and not (found and found.is_class):
+            if not found or not (found.is_class or (name in _KINDS and not found.ours)):
                 self.fail(node, f"isinstance of {name}")
-            ours = found if found and found.ours else None
-            if ours and (ours.is_enum or ours.kind in self.program.protocols):
+            ours = found.ours
+            if ours and (found.is_enum or found.kind in self.program.protocols):
                 self.fail(node, f"isinstance of {name}")
             is_tuple = name in ("tuple", "list") and any(self.parts(Type(one)) is not None for one in names)
             if is_tuple or names & _UNSURE.get(name, set()):
@@ -191,14 +193,16 @@ class Calls(Expressions):
             if not before or (before.ours and not before.is_module):
                 self.attributed(node.func)
                 receiver = self.known(node.func.value)
+            elif not before.is_module and not found.is_static:
+                self.fail(node, "a method without what it is a method of")
         if found.is_class:
             if len(node.args) > 1 or node.keywords:
                 self.fail(node, "an error of several arguments", "one text")
             if any(self.infer(each) != STR for each in node.args):
                 self.refuse(node, "an error whose argument is no text", "a text")
             return f"new $.{name}({self.all(node.args)})"
-        for kind in either(receiver) if receiver else (None,):
-            method = (kind and self.of_class(kind.name, name)[1]) or found
+        for kind in either(receiver) if receiver else (ANY,):
+            method = self.of_class(kind.name, name)[1] or found
             form, fitting = self.form(method, node, kind)
             if fitting is None:
                 given = ", ".join(str(self.infer(each)) for each in node.args)
@@ -208,7 +212,7 @@ class Calls(Expressions):
             for value, parameter in self.paired(form, node) or []:
                 self._marked(node, value, parameter, kind)
         if any(isinstance(each, ast.Starred) for each in node.args):
-            self.refuse(node, f"unpacked arguments of {name}", "each by itself")
+            self.fail(node, f"unpacked arguments of {name}", "each by itself")
         arguments = self._arguments(node, form)
         if isinstance(node.func, ast.Attribute):
             if receiver:
@@ -218,7 +222,7 @@ class Calls(Expressions):
             return f"$.{leaf(node.func.value)}.{name}({arguments})"
         return f"$.{instead or self.module.imports.get(name, ('', name))[1]}({arguments})"
 
-    def _marked(self, node: ast.Call, value: ast.expr, parameter: Parameter, receiver: Type | None) -> None:
+    def _marked(self, node: ast.Call, value: ast.expr, parameter: Parameter, receiver: Type) -> None:
         """Refuse an argument that is not as the table marks its parameter."""
         kind = self.infer(value)
         annotation = parameter.annotation
@@ -230,9 +234,9 @@ class Calls(Expressions):
             case "Ordered":
                 kind = kind.of[0] if kind.name == "call" else self.item(kind)
                 self.orderable(node, kind, kind)
-            case "Compared" if receiver:
+            case "Compared":
                 self.comparable(node, kind, self.item(receiver))
-            case "Key" if receiver:
+            case "Key":
                 self.key(node, kind, receiver)
             case "Keys":
                 self.keyed(node, self.item(kind))
@@ -255,37 +259,40 @@ class Calls(Expressions):
 
     def _arguments(self, node: ast.Call, found: Found | None) -> str:
         """Return the arguments of a call, those by keywords in the places of the parameters."""
-        at_once = found is not None and not found.ours and leaf(node.func) in _AT_ONCE
+        ours = found is not None and found.ours
+        at_once = found is not None and not ours and leaf(node.func) in _AT_ONCE
         values = [self._argument(each, leaf(node.func) if at_once else "") for each in node.args]
         parameters = self.program.signature(found)
-        if found and found.ours and parameters is not None:
+        if found and ours:
             self._typed(node, found)
         starred = [at for at, each in enumerate(node.args) if isinstance(each, ast.Starred)]
         places = [each.name for each in parameters or [] if each.how in ("", "/")]
         rest = {each.how: each.name for each in parameters or []}
         names = [*places]
-        if "*" in rest and found and found.ours:
+        if "*" in rest and ours:
             if starred and starred[0] < len(places):
                 self.fail(node, "an unpacked argument before others")
             missing = len(places) - len(values)
             rest_of_all = ", ".join(values[len(places) :])
             values = [*values[: len(places)], *["undefined"] * missing, f"[{rest_of_all}]"]
             names.append(rest["*"])
-        elif parameters is not None and "*" not in rest and len(values) > len(places):
+        elif parameters is not None and len(values) > len(places):
             self.fail(node, "too many arguments")
         elif node.keywords and starred:
             self.fail(node, "an unpacked argument before keywords")
         names += [each.name for each in parameters or [] if each.how == "key"]
-        given = {each.arg: each.value for each in node.keywords}
+        given = {each.arg or "": each.value for each in node.keywords}
         if "**" in rest:
             more = [each for each in node.keywords if each.arg not in names]
             keys: list[ast.expr | None] = [ast.Constant(each.arg) if each.arg else None for each in more]
+            if None in keys and not {*names[len(values) :]} <= given.keys():
+                self.fail(node, "unpacked keywords, of which one may be a parameter")
             names.append(rest["**"])
             given = {name: value for name, value in given.items() if name in names}
             given[rest["**"]] = ast.Dict(keys, [each.value for each in more])
         if given.keys() - set(names):
             self.fail(node, "keywords that are no parameters")
-        order = [names.index(each) for each in given if each]
+        order = [names.index(each) for each in given]
         calling = sum(any(isinstance(part, ast.Call) for part in ast.walk(each)) for each in given.values())
         if order != sorted(order) and calling > 1:
             self.fail(node, "keywords in another order than the parameters", "them in that order")

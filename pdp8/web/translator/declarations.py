@@ -68,7 +68,7 @@ class Declarations(Types):
 
     def text(self) -> str:
         """Return the declarations."""
-        up = "../" * self.module.name.count(".") or "./"
+        up = "../" * self.module.name.count(".")
         lines = [line for name, node in self.module.defined.items() for line in self._top(name, node)]
         head = [f'import type * as $ from "{up}pdp8/web/translator/runtime.mjs";']
         for name in sorted(self.used):
@@ -190,7 +190,7 @@ class Declarations(Types):
             return f"(({', '.join(takes)}) => {'void' if inner[0] == 'null' else inner[0]})"
         if kind.name in _OF:
             return _OF[kind.name].format(", ".join(inner))
-        return _NAMES.get(kind.name) or (self._named(of) if of else "unknown")
+        return _NAMES.get(kind.name) or self._named(self.program.classes[kind.name])
 
     def _named(self, of: Found) -> str:
         """Return the name of a class, through its module if it is another's."""

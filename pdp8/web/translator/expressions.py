@@ -126,13 +126,13 @@ class Expressions(Types):
         if wanted.name == "|":
             return any(self._may_be(kind, each) for each in wanted.of)
         loose = ("call", "never", "type")
-        if UNSEEN in (kind, wanted) or kind.name in loose or wanted.name in loose:
+        if UNSEEN in (kind, wanted) or kind.name in loose:
             return True
         if (kind == BOOL and wanted in NUMBERS) or wanted in self.program.protocols:
             return True
         if kind.name == "view" and wanted.name in ("set", "iterable"):
             return True
-        if kind.name == wanted.name and kind.of:
+        if kind.name == wanted.name and len(kind.of) == len(wanted.of):
             return all(map(self._may_be, kind.of, wanted.of))
         return self.fits(kind, wanted)
 
@@ -208,7 +208,10 @@ class Expressions(Types):
                 return f"$.set([{', '.join(self._unordered(each) for each in items)}])"
             case ast.Dict(keys, values):
                 self.keyed(node, self.infer(node).of[0])
-                pairs = zip(keys, values, strict=True)
+                pairs = [*zip(keys, values, strict=True)]
+                for unpacked in (v for k, v in pairs if k is None):
+                    if self.known(unpacked).name != "dict":
+                        self.refuse(unpacked, "unpacked into a dict", "a dict")
                 each = (f"[{self.e(k)}, {self.e(v)}]" if k else f"...{self.e(v)}.items()" for k, v in pairs)
                 return f"$.dict([{', '.join(each)}])"
             case ast.Starred(ast.GeneratorExp(value, generators)):
@@ -252,8 +255,7 @@ class Expressions(Types):
         for each in kinds:
             of = self.ours(each)
             instance = of is not None and (of.is_enum or of.fields is None)
-            fine = each in (*_SCALARS, UNSEEN) or instance or each.name in ("type", "call")
-            if not fine or mixed:
+            if not (each in (*_SCALARS, UNSEEN) or instance) or mixed:
                 self.refuse(node, f"{kind} as a key", "a text or a number")
 
     def key(self, node: ast.AST, kind: Type, of: Type) -> None:
@@ -311,12 +313,7 @@ class Expressions(Types):
             checked = self.checked or BOOL in kinds
             if checked and kinds & {*FLOATS}:
                 return self._of_floats(node, made, left, right)
-            if (
-                checked
-                and isinstance(operator, ast.Pow)
-                and right.kind != WORD
-                and (right.number is None or right.number >= 0)
-            ):
+            if checked and isinstance(operator, ast.Pow) and right.kind != WORD and right.number is None:
                 why = "a power whose exponent may be negative is an int or a float"
                 self.fail(node, why, "a float, or x ** 2")
             if is_direct(operator, left, right, checked):
@@ -327,6 +324,9 @@ class Expressions(Types):
         if not self._operable(operator, left.kind, right.kind):
             why = f"{left.kind} and {right.kind} with this operator"
             self.refuse(node, why, "it another way, or an annotation")
+        for each in (left.kind, right.kind):
+            if each.name == "view":
+                self.keyed(node, self.item(each))
         return f"$.{made.runtime}({left.text}, {right.text})"
 
     def _of_floats(self, node: ast.AST, made: Operator, left: Operand, right: Operand) -> str:
@@ -338,12 +338,12 @@ class Expressions(Types):
         if made.exact == "power" and right.kind not in WHOLE:
             self.refuse(node, "a power that may be a complex number", "math.pow(...)")
         if made.exact == "div" and right.number:
-            return made.direct.format(f"Number({left.text})" if left.kind == INT else left.text, right.text)
+            return made.direct.format(left.text, self._as_float(right))
         return f"$.{made.floats}({left.text}, {right.text})"
 
     @staticmethod
     def _as_float(of: Operand) -> str:
-        return f"Number({of.text})" if of.kind in (INT, BOOL) and of.number is None else of.text
+        return f"Number({of.text})" if of.kind in (INT, BOOL) else of.text
 
     def _operable(self, operator: ast.operator, one: Type, other: Type) -> bool:
         """Whether the runtime does the operator on these types as Python does."""
@@ -368,6 +368,8 @@ class Expressions(Types):
                 return True
             case ast.BitOr() | ast.BitAnd() | ast.Sub() if names <= {"set", "view"}:
                 return True
+            case ast.Pow() if one.name == "Fraction":
+                return other == WORD
         return of_numbers and one.name == "Fraction" and (other in WHOLE or other.name == "Fraction")
 
     def _choice(self, both: bool, values: list[ast.expr]) -> str:
@@ -493,7 +495,7 @@ class Expressions(Types):
             else:
                 self.comparable(node, kind, self.item(each))
         inner = self.item(all_)
-        same = kind == inner or (not self.checked and kind in WHOLE and inner in WHOLE)
+        same = kind == inner or (not self.checked and inner in WHOLE)
         plain = kind in (STR, WORD, INT) and same and all_.name in _LISTS
         return f"{b}.includes({a})" if plain else f"$.has({b}, {a})"
 
@@ -512,12 +514,16 @@ class Expressions(Types):
             module, real = self.module.imports.get(name, ("", name))
             self.fail(node, f"the table of what may be used has no {real or module}")
         if not found.ours:
-            return f"$.{found.module.table}" if found.is_module else self._as_value(node, found)
+            return self._as_value(node, found)
         if found.is_class and not found.is_enum:
             self.refuse(node, "a class as a value", "a function that makes one")
+        self._by_place(node, found)
+        return named(name)
+
+    def _by_place(self, node: ast.expr, found: Found) -> None:
+        """Refuse a function as a value that does not take all by place."""
         if found.is_function and any(each.how in ("*", "key", "**") for each in found.parameters):
             self.fail(node, "a function with * as a value", "a lambda")
-        return named(name)
 
     def _as_value(self, node: ast.expr, found: Found) -> str:
         """Return a built-in function or a class that is passed as an argument."""
@@ -532,13 +538,13 @@ class Expressions(Types):
     def attributed(self, node: ast.Attribute) -> None:
         """Refuse an attribute that is not known."""
         of = self.found(node.value)
-        if self.trusted or (of and of.is_module) or self.after_super(node):
+        if self.trusted or (of and of.is_module):
             return
-        if of and of.is_class and of.ours:
+        if of and of.is_class:
             if not any(node.attr in each.declared for each in self.program.lineage(of)):
                 self.fail(node, f"{leaf(node.value)} has no {node.attr}")
             return
-        own = of and not of.ours and (of.is_class or of.is_function)
+        own = of and not of.ours
         for each in either(Type(leaf(node.value)) if own else self.known(node.value)):
             if not self.has(each, node.attr):
                 self.fail(node, f"{each} has no {node.attr}")
@@ -550,10 +556,11 @@ class Expressions(Types):
             if found is None:
                 self.fail(node, f"the table of what may be used has no {node.attr}")
             return self.dotted(node) if of.ours else self._as_value(node, found)
-        if not found or not found.is_function or found.is_property:
+        if not found or found.is_property:
             return self.dotted(node)
         if of and of.is_class:
             self.fail(node, "a method of a class as a value", "a lambda")
+        self._by_place(node, found)
         return f'$.bound({self.e(node.value)}, "{member(node.attr)}")'
 
     def dotted(self, node: ast.expr) -> str:
@@ -605,7 +612,7 @@ class Expressions(Types):
     def _sliced(self, value: ast.expr, index: ast.Slice, kind: Type, text: str) -> str:
         if index.step:
             self.fail(index, "a slice by steps", "a comprehension over range")
-        if not self.ours(kind) and any(each.name not in (*_LISTS, "words") for each in either(kind)):
+        if any(each.name not in (*_LISTS, "words") for each in either(kind)):
             self.refuse(value, f"a slice of {kind}")
         for each in filter(None, (index.lower, index.upper)):
             bound = self.infer(each)
@@ -631,7 +638,7 @@ class Expressions(Types):
         simple = {INT, WORD, BOOL, NONE, STR}
         if self.trusted and not kinds <= {*simple, FLOAT}:
             return f"$.{name}({text})"
-        if REAL in kinds or (FLOAT in kinds and kinds & {*WHOLE}):
+        if REAL in kinds:
             self.fail(node, "it may be an int or a float, which Python writes otherwise", "float(...)")
         if kind == STR and not quoted:
             return text

@@ -24,7 +24,6 @@ from pdp8.web.translator.types import (
     REAL,
     STR,
     UNSEEN,
-    WHOLE,
     WORD,
     WORDS,
     Type,
@@ -117,7 +116,7 @@ class Types:
                 return self._generic(name, items, module)
             case ast.Name() | ast.Attribute():
                 of = self.program.find(module, leaf(node.value)) if isinstance(node, ast.Attribute) else None
-                found = self.program.find(of.module if of and of.node is None else module, name)
+                found = self.program.find(of.module if of else module, name)
                 if found and found.is_class and not found.module.table:
                     return found.kind
                 if found and isinstance(found.node, ast.expr):
@@ -244,7 +243,7 @@ class Types:
                 return [(target, self.infer(value))]
             case ast.For(target, iterable) | ast.comprehension(target, iterable):
                 return self._apart(target, self.item(self.infer(iterable)))
-            case ast.ExceptHandler(kind, str(name)):
+            case ast.ExceptHandler(ast.expr() as kind, str(name)):
                 kinds = kind.elts if isinstance(kind, ast.Tuple) else [kind]
                 return [(ast.Name(name), join(*(self._error(each) for each in kinds)))]
             case ast.Expr(ast.Call(ast.Attribute(ast.Name() as of, "append" | "add" as method), [value])):
@@ -259,8 +258,8 @@ class Types:
                 return [(target.value, made("dict", self.infer(target.slice), kind))]
         return self._apart(target, kind)
 
-    def _error(self, node: ast.expr | None) -> Type:
-        found = node and self.found(node)
+    def _error(self, node: ast.expr) -> Type:
+        found = self.found(node)
         return found.kind if found and found.is_class else ANY
 
     def _apart(self, target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
@@ -271,7 +270,7 @@ class Types:
             return [(target, kind)]
         kind = without_none(kind)
         parts, count = self.parts(kind), len(target.elts)
-        if parts is None or len(parts) != count or any(isinstance(each, ast.Starred) for each in target.elts):
+        if parts is None or len(parts) != count:
             parts = (self.item(kind),) * count
         return [
             pair for each, part in zip(target.elts, parts, strict=True) for pair in self._apart(each, part)
@@ -325,14 +324,14 @@ class Types:
     def _before_the_dot(self, node: ast.expr, of: Found | None) -> Type:
         if of and of.is_class:
             return of.kind
-        if of and not of.ours and leaf(node) in self.program.classes:
+        if of and not of.ours:
             return Type(leaf(node))  # dict.fromkeys
         return without_none(self.infer(node))
 
     def constant(self, node: ast.expr) -> ast.AST:
         """Return the value of a constant's name."""
         found = self.found(node)
-        return found.node if found and isinstance(found.node, ast.expr) else node
+        return found.node if found else node
 
     def never(self, node: ast.expr) -> bool:
         """Whether nothing comes after a call."""
@@ -364,7 +363,7 @@ class Types:
                 return INT if kind in (WORD, BOOL) else kind
             case ast.BinOp(left, operator, right):
                 one, other, by = without_none(self.infer(left)), without_none(self.infer(right)), whole(right)
-                if isinstance(operator, ast.Pow) and by is not None and by < 0 and one in WHOLE:
+                if isinstance(operator, ast.Pow) and by is not None and by < 0:
                     return FLOAT
                 return self._operated(operator, one, other)
             case ast.BoolOp(operator, values):
@@ -401,7 +400,7 @@ class Types:
         return ANY
 
     def _operated(self, operator: ast.operator, one: Type, other: Type) -> Type:
-        if one.name == "view" and other.name in ("set", "view"):
+        if one.name == "view":
             return made("set", *one.of)
         return join(*(arithmetic(operator, a, b) for a in either(one) for b in either(other)))
 
@@ -480,7 +479,7 @@ class Types:
         if found is None:
             return ANY
         match found.node:
-            case ast.AnnAssign(_, annotation, value):
+            case ast.AnnAssign(_, annotation, ast.expr() as value):
                 kind = self.annotated(annotation, found.module)
                 return self._constant(found, value) if kind == ANY and leaf(annotation) == "Final" else kind
             case ast.FunctionDef():
@@ -492,13 +491,10 @@ class Types:
         return ANY
 
     def _takes(self, found: Found) -> list[Type]:
-        """Return the types of the parameters that a function or a method takes by place."""
-        places = (each for each in self.program.signature(found) or [] if each.how in ("", "/"))
-        return [self.annotated(each.annotation, each.module) for each in places]
+        """Return the types of the parameters of a function or a method."""
+        return [self.annotated(each.annotation, each.module) for each in self.program.signature(found) or []]
 
-    def _constant(self, found: Found, node: ast.AST | None) -> Type:
-        if node is None:
-            return ANY
+    def _constant(self, found: Found, node: ast.AST) -> Type:
         if node not in self.program.constants:
             self.program.constants[node] = ANY
             self.program.constants[node] = Types(self.program, found.module).infer(node)
@@ -513,7 +509,7 @@ class Types:
         results = []
         for kind in kinds:
             result, method = self.of_class(kind.name, node.attr)
-            if result == ANY and method is None and len(kinds) > 1 and not self.has(kind, node.attr):
+            if result == ANY and len(kinds) > 1 and not self.has(kind, node.attr):
                 continue
             if method and not method.is_property:
                 result = Type("call", (result, *self._takes(method)))
@@ -607,11 +603,11 @@ class Types:
         forms = [kind for kind in either(wanted) if kind.name == "call"]
         takes = self.lambdas[value] = [filled(each, given) for kind in forms for each in kind.of[1:]]
         kind, found = self.infer(value), self.found(value)
-        if found and not found.ours and (found.is_function or found.is_class):
+        if found and not found.ours:
             with self.applied(value, takes) as call:
                 kind = Type("call", (self.infer(call),))
-        for form in forms if kind.name == "call" else []:
-            self.unify(form.of[0], kind.of[0], given)
+        for form in forms:
+            self.unify(form.of[0], kind.of[0] if kind.name == "call" else ANY, given)
 
     @contextmanager
     def applied(self, function: ast.expr, takes: list[Type]) -> Iterator[ast.Call]:
@@ -644,7 +640,7 @@ class Types:
                 return None
         given = {each.arg for each in call.keywords}
         missing = any(each.default is None and each.name not in given for each in left.values())
-        return None if missing and unpacked == len(args) and None not in given else pairs
+        return None if missing and unpacked == len(args) else pairs
 
     def unify(self, pattern: Type, kind: Type, given: dict[str, Type]) -> None:
         """Find the types of the type variables of `pattern`."""
@@ -661,8 +657,8 @@ class Types:
         elif kind.name == "|":
             for each in kind.of:
                 self.unify(pattern, each, given)
-        elif len(pattern.of) == len(kind.of) or pattern.name == kind.name:
-            for one, other in zip(pattern.of, kind.of, strict=False):
+        elif len(pattern.of) == len(kind.of):
+            for one, other in zip(pattern.of, kind.of, strict=True):
                 self.unify(one, other, given)
 
     def fits(self, kind: Type, wanted: Type) -> bool:
@@ -686,6 +682,8 @@ class Types:
                 return self._iterates(kind, wanted.name) and self.fits(self.item(kind), wanted.of[0])
             case "row" if kind.name == "tuple":
                 return all(self.fits(each, wanted.of[0]) for each in kind.of)
+            case "tuple" if len(kind.of) != len(wanted.of):
+                return False
             case kind.name:
                 return all(map(self.fits, kind.of, wanted.of))
         of = self.program.classes.get(kind.name)
@@ -762,7 +760,7 @@ class Types:
     def _known(self, node: ast.expr, kind: Type) -> dict[str, Type]:
         if isinstance(node, ast.NamedExpr):
             return {ast.unparse(node.target): kind, ast.unparse(node): kind}
-        return {ast.unparse(node): kind} if isinstance(node, ast.Name | ast.Attribute | ast.Subscript) else {}
+        return {ast.unparse(node): kind}
 
     def _instances(self, kind: Type, of: ast.expr, positive: bool) -> Type:
         """Return the type of what is an instance of the classes `of`, or is none."""
@@ -777,7 +775,7 @@ class Types:
             return join(*others)
         found = inside + [one for each in others for one in wanted if each.name in self._ancestry(one)]
         if not found and (kind.name in ("iterable", "sequence") or kind in self.program.protocols):
-            found = wanted
+            found = [_OPEN.get(each.name, each) for each in wanted]
         return join(*found)
 
     def _ancestry(self, kind: Type) -> set[str]:
@@ -790,7 +788,7 @@ class Types:
 
 def _of_constant(value: object) -> Type:
     if type(value) is int:
-        return WORD if 0 <= value < 1 << 31 else INT
+        return WORD if value < 1 << 31 else INT
     if value is None:
         return NONE
     return FLOAT if isinstance(value, float) else _PLAIN.get(type(value).__name__, ANY)

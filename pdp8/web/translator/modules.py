@@ -96,11 +96,10 @@ class Writer(Statements):
             case ast.Subscript() | ast.BinOp() | ast.Name() if self._names_types(node):
                 return []
             case ast.AnnAssign(_, annotation, ast.expr() as value):
-                alias = isinstance(value, ast.Subscript | ast.BinOp | ast.Name) and self._names_types(value)
-                text = "" if alias else self.accepted(value, self.annotated(annotation))
+                text = self.accepted(value, self.annotated(annotation))
             case _:
                 text = self.e(node)  # type: ignore[arg-type]
-        return [f"export const {named(name)} = {text};"] if text else []
+        return [f"export const {named(name)} = {text};"]
 
     def _cached(self, node: ast.FunctionDef, head: str, rest: list[str]) -> list[str]:
         """Return a function that keeps what it has returned."""

@@ -7,7 +7,6 @@ from pdp8.web.translator.types import (
     ANY,
     BOOL,
     FLOAT,
-    FLOATS,
     INT,
     NUMBERS,
     REAL,
@@ -64,7 +63,7 @@ def is_direct(operator: ast.operator, left: Operand, right: Operand, checked: bo
         case ast.Add() | ast.Sub():
             return words or not checked
         case ast.Mult():
-            small = any(each.number is not None and 0 <= each.number < 1 << 22 for each in (left, right))
+            small = any(each.number is not None and each.number < 1 << 22 for each in (left, right))
             return (words and small) or not checked
         case ast.Div() | ast.FloorDiv():
             return bool(second) and (words or not checked)
@@ -99,8 +98,8 @@ def arithmetic(operator: ast.operator, left: Type, right: Type) -> Type:
         return Type("tuple", left.of + right.of)
     if isinstance(operator, ast.Add) and {left.name, right.name} <= {"tuple", "row"}:
         return Type("row", (join(item_of(left), item_of(right)),))
-    if "Fraction" in (left.name, right.name):
-        return FLOAT if left in FLOATS else left if left.name == "Fraction" else ANY
+    if left.name == "Fraction":
+        return left
     joined = join(left, right)
     return joined if joined.name == left.name == right.name else ANY
 
@@ -112,8 +111,7 @@ def _of_numbers(operator: ast.operator, left: Type, right: Type) -> Type:
         case _ if FLOAT in (left, right):
             return FLOAT
         case ast.Pow():
-            fits = right == WORD or left == right == REAL
-            return ANY if not fits else REAL if REAL in (left, right) else INT
+            return ANY if right != WORD else REAL if left == REAL else INT
         case _ if REAL in (left, right):
             return REAL
         case ast.BitOr() | ast.BitXor() | ast.Mod() | ast.FloorDiv():

@@ -68,7 +68,12 @@ class Found(NamedTuple):
     @property
     def is_property(self) -> bool:
         """Whether it is a method that is read as an attribute."""
-        return self.is_function and not {"property", "cached_property"}.isdisjoint(self.marks)
+        return not {"property", "cached_property"}.isdisjoint(self.marks)
+
+    @property
+    def is_frozen(self) -> bool:
+        """Whether the fields of an instance cannot be set."""
+        return self.is_tuple or "frozen=True" in "".join(map(ast.unparse, self.node.decorator_list))
 
     @property
     def is_static(self) -> bool:
@@ -233,7 +238,7 @@ def libraries() -> dict[str, Library]:
     body = ast.parse(files(__package__).joinpath("library.pyi").read_text(encoding="utf-8")).body
     found = {"builtins": [each for each in body if not isinstance(each, ast.If)]}
     for each in body:
-        if isinstance(each, ast.If) and isinstance(each.test, ast.Compare):
+        if isinstance(each, ast.If):
             found[each.test.comparators[0].value] = each.body  # type: ignore[attr-defined]
     return {name: Library(name, nodes) for name, nodes in found.items()}
 
@@ -321,4 +326,4 @@ class Program:
             if init is None:
                 return self.fields(of)
             of = init
-        return [each for each in of.parameters if each.name != "self"] if of and of.is_function else None
+        return [each for each in of.parameters if each.name != "self"] if of else None

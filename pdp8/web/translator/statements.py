@@ -217,13 +217,13 @@ class Statements(Calls):
         head = f"({', '.join(self._parameters(of))})"
         body = own(node.body)
         outside = {name for part in body if isinstance(part, ast.Nonlocal) for name in part.names}
-        around = {name: self.scope[name] for name in outside if name in self.scope}
+        around = {name: self.scope[name] for name in outside}
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
-        notes = {leaf(part.target): part.annotation for part in body if isinstance(part, ast.AnnAssign)}
+        notes = [part for part in body if isinstance(part, ast.AnnAssign)]
         outer = self.declared, self.returns, self.loops, self.catching
         self.declared = self.parameters(node)
         given = {*self.declared, *outside}
-        self.declared |= {name: self.annotated(each) for name, each in notes.items() if name}
+        self.declared |= {ast.unparse(each.target): self.annotated(each.annotation) for each in notes}
         self.returns = ANY if star or node.returns is None else self.annotated(node.returns)
         self.loops, self.catching = [], False
         if star and "contextmanager" not in of.marks:
@@ -261,8 +261,7 @@ class Statements(Calls):
             default = ""
             if each.default is not None:
                 self.fixed(each.default, each.annotation)
-                if each.annotation is not None:
-                    self.accept(each.default, self.annotated(each.annotation))
+                self.accept(each.default, self.annotated(each.annotation))
                 default = f" = {self.e(each.default)}"
             found.append(named(each.name) + default)
         return found
@@ -278,7 +277,7 @@ class Statements(Calls):
                 self.fail(node, "a default that may change", "None and the value in the function")
             if isinstance(each, ast.Call):
                 found = self.found(each.func)
-                frozen = found and found.is_class and found.fields is not None
+                frozen = found and found.is_class and found.is_frozen
                 if not frozen and leaf(each.func) not in ("frozenset", "bytes", "float", "int"):
                     self.fail(node, "a call as a default", "None and the value in the function")
 
@@ -328,8 +327,7 @@ class Statements(Calls):
         self.attributed(target)
         for each in either(self.known(of)):
             known = self.ours(each)
-            marks = "".join(map(ast.unparse, known.node.decorator_list)) if known else ""
-            if known and (known.is_tuple or "frozen=True" in marks):
+            if not known or known.is_frozen:
                 self.refuse(target, "a field of what is frozen is set", "replace(...)")
 
     def _all(self, targets: list[ast.expr], values: list[ast.expr]) -> list[str]:
@@ -387,7 +385,7 @@ class Statements(Calls):
         match target:
             case ast.Attribute(of, name):
                 return before, ast.copy_location(ast.Attribute(simple(of), name, ast.Store()), target)
-            case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
+            case ast.Subscript(of, index):
                 return before, ast.copy_location(
                     ast.Subscript(simple(of), simple(index), ast.Store()), target
                 )

@@ -77,13 +77,13 @@ def join(*kinds: Type) -> Type:
 def _merged(one: Type, other: Type) -> Type | None:
     """Return the type that takes in both, None if there is none but their union."""
     if one in NUMBERS and other in NUMBERS:
-        return INT if one in WHOLE and other in WHOLE else FLOAT if one == other == FLOAT else REAL
+        return INT if one in WHOLE and other in WHOLE else REAL
     names = {one.name, other.name}
     if names == {"tuple"} and len(one.of) == len(other.of):
         return Type("tuple", tuple(map(join, one.of, other.of)))
     if names <= {"tuple", "row"}:
         return Type("row", (join(*one.of, *other.of),))
-    if len(names) == 1 and one.of and len(one.of) == len(other.of) and one.name != "call":
+    if len(names) == 1 and one.name != "call":
         return Type(one.name, tuple(map(join, one.of, other.of)))
     return None
 
@@ -107,12 +107,8 @@ def made(name: str, *of: Type) -> Type:
 
 def item_of(kind: Type) -> Type:
     """Return the type of what an iteration yields; not for a class of ours."""
-    if kind.name == "|":
-        return join(*map(item_of, kind.of))
     if kind.name == "tuple":
         return join(*kind.of)
-    if kind.name == "call":
-        return ANY
     return _ITEMS.get(kind.name) or (kind.of[0] if kind.of else ANY)
 
 

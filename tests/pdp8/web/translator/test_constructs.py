@@ -27,14 +27,15 @@ def test_every_construct_does_as_in_python(tmp_path: Path) -> None:
 
 @needs_node
 def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
-    there = "class A(ValueError):\n    pass\n"
+    there = "from math import floor\nTWO = 2\nclass A(ValueError):\n    pass\n"
     here = (
         "from pal import there\ndef f(x: there.A | str) -> bool:\n"
         "    try:\n        raise there.A('b')\n    except there.A:\n        return isinstance(x, there.A)\n"
+        "def g() -> int:\n    return there.floor(2.5) + there.TWO\n"
     )
     modules = {"pal.there": ("there.py", there), "pal.here": ("here.py", here)}
     write(tmp_path, translate(modules, {}))
-    assert called(("pal/here", "f", "x"), folder=tmp_path) == [False]
+    assert called(("pal/here", "f", "x"), ("pal/here", "g"), folder=tmp_path) == [False, 4]
 
 
 @pytest.mark.parametrize(
@@ -44,6 +45,7 @@ def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
         ("def f(x: str) -> str:\n    return x.swapcase()\n", "2: str has no swapcase"),
         ("X = 1\nX = 2\n", "2: X is set twice"),
         ("class A:\n    @functools.lru_cache\n    def f(self) -> None: ...\n", "3: decorator"),
+        ("from . import cli\nX = cli\n", "2: the table of what may be used has no cli"),
         ("from pal import cli\nX = cli\n", "2: the table of what may be used has no cli"),
         ("def f() -> None:\n    def g():\n        yield 1\n", "2: a generator within a function"),
         ("X = print('a', end='')\n", "1: the table of what may be used has no print"),
@@ -64,3 +66,9 @@ def test_what_has_no_translation_is_an_error_with_its_place(source: str, said: s
         translate({"m": ("m.py", source)}, {})
     assert str(raised.value).startswith(f"m.py:{said}")
     assert gc.isenabled()  # it is off while modules are translated
+    gc.disable()
+    translate({}, {})
+    try:
+        assert not gc.isenabled()
+    finally:
+        gc.enable()

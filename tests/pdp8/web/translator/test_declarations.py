@@ -79,6 +79,8 @@ class Later(Machine):
     def __getitem__(self, at: int) -> int:
         return at
 
+    def __setitem__(self, at: int, value: int) -> None: ...
+
     @staticmethod
     def made() -> "Later":
         return Later([], print)
@@ -96,6 +98,8 @@ class Later(Machine):
 EMPTY = []
 HALF = 0.5
 WHOLE = {}.keys()
+
+def exact(a: Fraction) -> slice: ...
 
 def _own(a: int) -> Mapping[str, bytes]:
     return {}
@@ -147,6 +151,7 @@ readonly length: number;
 toString(): string;
 [Symbol.iterator](): Generator<number>;
 __getitem__(at: number): number;
+__setitem__(at: number, value: number): void;
 made(): Later;
 static made(): Later;
 at: number;
@@ -154,6 +159,7 @@ at: number;
 export const EMPTY: (never)[];
 export const HALF: number;
 export const WHOLE: $.View<never>;
+export function exact(a: $.Fraction): $.slice;
 export function _own(a: number): $.Dict<string, $.Bytes>;
 export {};
 """
