@@ -265,11 +265,10 @@ def _prove(exercise: Exercise, name: str, seed: int) -> None:
         raise WorkError("\n".join(f"{exercise.name}: {fault}" for fault in faults))
     ways = f"; {counted(len(written), 'ways')} to write it, all right" * bool(written)
     noticed = f"; {counted(len(marked), 'mistakes')}, all noticed" * bool(marked)
-    command.echo(f"{exercise.name}: the solution has {solved.of} points{ways}{noticed}")
+    command.echo(f"{exercise.name}: the solution has {counted(solved.of, 'points')}{ways}{noticed}")
     if slips.tried:
         caught = slips.tried - len(slips.survivors)
-        command.echo(
-            f"{slips.tried} of {counted(slips.number, 'slips')} tried, {caught} noticed; these seem right:"
-        )
+        right = "; these seem right:" * bool(slips.survivors)
+        command.echo(f"{slips.tried} of {counted(slips.number, 'slips')} tried, {caught} noticed{right}")
     for slip in slips.survivors:
         command.echo(f"  {slip}")

@@ -108,7 +108,7 @@ def places(item: str) -> list[str]:
         return [place(item)]
     ends = [("", int(place(end), 8)) if end[:1].isdigit() else tag(place(end)) for end in (first, last)]
     (name, least), (other, most) = ends
-    if name != other or bool(name) == item[0].isdigit():
+    if name != other:
         raise ValueError(f"{item} is no range of octal addresses, nor of words behind one tag")
     ascend(place(first), place(last), least, most)
     return [place(f"{name}+{at:o}" if name and at else name or at) for at in range(least, most + 1)]

@@ -18,3 +18,5 @@ def test_a_task_keeps_the_lines_of_its_author() -> None:
     assert lines == [
         "a" * 40 + " " + "b" * 29 + " and on, then", "well before its end.", "", "Next:", "1. one", "2. two",
     ]  # fmt: skip
+    for length, joint in ((66, "\n"), (67, " ")):
+        assert f">{'c' * length}{joint}and<" in task(f"{'c' * length}\nand")

@@ -5,10 +5,11 @@ from pathlib import Path
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session
-from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
+from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, _holds, _loaded, find
 
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 
@@ -156,3 +157,28 @@ def test_a_kiosk_that_is_left_alone_is_as_it_was_for_the_next(name: str) -> None
     taken = coach.seconds
     coach.advance(5)
     assert (coach.done, coach.seconds) == (True, taken)
+
+
+def test_a_kiosk_that_nobody_touched_stays() -> None:
+    session, coach = room("rim", LEFT_ALONE)
+    assert not coach.advance(LEFT_ALONE)
+    session.machine.core[0] = 1
+    assert coach.advance(0.1)
+
+
+def test_boot_is_done_if_bin_halts_where_it_does_with_all_in_core() -> None:
+    cases = (
+        (True, 0o7700, 0o7402, 0, 5), (False, 0o7700, 0o5300, 0, 5), (False, 0o300, 0o7402, 0, 5),
+        (False, 0o7700, 0o7402, 1, 5), (False, 0o7700, 0o7402, 0, 4),
+    )  # fmt: skip
+    for done, at, word, ac, found in cases:
+        machine = Machine()
+        machine.load({at: word, 0o200: found})
+        machine.start(at)
+        machine.ac = ac
+        machine.run(instructions=1)
+        assert _loaded(machine, {0o200: 5}) == done
+    machine.teletype.reader.load(b"A")
+    assert [_holds(machine, {0o200: 4}), _holds(machine, {})] == [False, False]
+    machine.teletype.reader.position = 1
+    assert [_holds(machine, {0o200: 4}), _holds(machine, {0o200: 5})] == [True, False]

@@ -245,6 +245,9 @@ compare=['A']
     assert "line 2: CLA NOP for CLA OSR" in found.lucky
     assert "line 2: NOP OSR for CLA OSR" in found.survivors
     assert found.tried == found.number
+    for most in (found.number, found.number - 1):
+        again = proof.slips(lambda number: parse(text, "e", number), seed, most)
+        assert (again.number, again.tried) == (found.number, most)
 
 
 def test_an_exercise_that_wants_one_way_of_writing_is_found_out() -> None:

@@ -41,6 +41,7 @@ def test_what_an_expectation_notices_is_told() -> None:
         ("callers={A=2}", "A is called from 2 places at least."),
         ("indirect=['A']", "One of the words A serves as a pointer, by I."),
         ("unchanged=['A']", "The program leaves A unchanged."),
+        ("unchanged=['A','B+1','B+2']", "The program leaves A, B+1 to B+2 unchanged."),
         ("tape='A'\nnul='ignored'", "Blank frames that are punched do not count."),
     ],
 )

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from pdp8.computer.machine import Machine
-from pdp8.lessons.minute import Minute, Step
+from pdp8.lessons.minute import PROGRAM, Minute, Step
 
 _KEYS = ["start", "load add", "dep", "exam", "cont", "stop", "sing step", "mem prot"]
 
@@ -127,3 +127,44 @@ def test_a_switch_that_locks_is_said_as_it_stands_now() -> None:
         "MEM PROT is off: all of memory can be written.",
         "SING STEP is off: it runs freely again.",
     ]
+
+
+@pytest.mark.parametrize(
+    ("at", "running", "stopped"),
+    [
+        (0o177, "RUN is lit", "All five words are in."),
+        (0o200, "Your program runs", "Five words"),
+        (0o201, "Your program runs", "It has stopped within your program. Press CONT"),
+        (0o204, "Your program runs", "It has stopped within your program. Press CONT"),
+        (0o205, "RUN is lit", "All five words are in."),
+    ],
+)
+def test_where_it_runs_and_where_it_stopped(at: int, running: str, stopped: str) -> None:
+    machine, minute = Machine(), Minute(typed=False)
+    machine.load({0o200 + place: word for place, (word, _) in enumerate(PROGRAM)})
+    machine.load({0o177: 0o5177, 0o205: 0o5205})
+    machine.start(at)
+    machine.run(instructions=1)
+    minute.begin(machine)
+    assert minute.did == "The switches are yours. The computer runs; its tape reader is off."
+    assert minute.next(machine).say.startswith(running)
+    machine.stop()
+    machine.pc = machine.sr = at
+    machine.panel.load_add()
+    machine.panel.sr = 0
+    said = minute.next(machine).say
+    assert said.startswith(stopped)
+    assert "or type" not in said
+
+
+def test_a_name_is_made_of_the_characters_that_can_be_seen() -> None:
+    machine, minute = Machine(), Minute(typed=False)
+    machine.load({0o200 + place: word for place, (word, _) in enumerate(PROGRAM)})
+    machine.start(0o200)
+    machine.run(instructions=1)
+    minute.begin(machine)
+    for frames, made in ((b"\x1f\x41\x20\x5f\x60\xc2\xa0", "A _B"), (b"\x8d\x8a\xe1\xff", "")):
+        machine.teletype.punch.frames.clear()
+        minute.next(machine)
+        machine.teletype.punch.frames.extend(frames)
+        assert minute.next(machine).say.startswith(f"{made}: " if made else "Your program runs")
