@@ -278,12 +278,12 @@ class Operators:
         """Skip the text of a false condition, from its `<` to its `>`."""
         lexer = self._lexer
         began, end = lexer.index, lexer.end
-        outside = lexer.level
         text = lexer.text()
         column = end
         if text[column : column + 1] == "/":
             lexer.level = lexer.level_after(column)
             column = len(text)
+        outside = lexer.level
         lexer.level += 1
         while True:
             while column < len(text) and ("<" in text or ">" in text):
@@ -293,9 +293,11 @@ class Operators:
                 if character == "/":
                     lexer.level = lexer.level_after(column)
                     column = len(text)
-                if lexer.level <= outside and character in ("/", ">"):
+                if lexer.level <= outside:
                     lexer.go_to(column)
-                    return
+                    if lexer.level <= outside:
+                        return
+                    column = len(text)  # a comment right behind the `>` opens another
             if lexer.index + 1 == len(lexer.lines):
                 lexer.index, lexer.start, lexer.end = began, self._start, end
                 self._log.die("PH")

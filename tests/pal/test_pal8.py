@@ -52,6 +52,13 @@ def test_decs_examples_have_decs_words_and_messages() -> None:
             assert bool(assembly.stopped) == (words == "NO TAPE")
 
 
+def test_decs_reading_has_no_colon_and_a_text_without_a_blank() -> None:
+    assert made("*200\nA:\tCLA\n$\n").symbols == {"A": 0o200}
+    assert made("*200\nA:\tCLA\n$\n", exact=True).symbols == {}
+    for mark, words in (("'", {0o200: 0o0102, 0o201: 0}), ("/", {0o200: 0})):
+        assert made(f"*200\n\tTEXT{mark}AB{mark}\n$\n", exact=True).words == words
+
+
 def test_what_is_no_ascii_is_illegal_in_decs_reading_too() -> None:
     for character in "²é":
         with case(character):
@@ -99,6 +106,13 @@ def beside(source: str, wipe: bool) -> None:
     ones = [one for one, _, _ in result.messages].count(1)
     assert assembly.text(1).splitlines() == said[:ones]
     assert (assembly.tape.strip(b"\x80") or None) == result.tape
+
+
+@pytest.mark.parametrize(
+    "lines", ["IFZERO 1 </ > \n\t7;<5>;6\n>", "IFZERO 1 <>/ <\n\t7\n>>", "IFZERO 1 <\n>/ <\n7\n>\n6\n>\n5"]
+)
+def test_a_condition_that_a_comment_ends_or_opens_is_decs(lines: str) -> None:
+    beside(f"*200\nIFZERO 0 <\n{lines}\n\tHLT\n$\n", wipe=False)
 
 
 def test_random_sources_are_as_in_the_model() -> None:
@@ -190,10 +204,11 @@ def test_an_assembly_has_the_same_members_in_both(dialect: str) -> None:
 @pytest.mark.parametrize("source", [b"\x9a", b"\x9a<", "\x1a*200\n\tTAD (5\n\tHLT\n$\n"])
 def test_a_source_that_begins_with_its_end_is_not_taken_for_pal8(source: str | bytes) -> None:
     """PAL8 would read nothing of it, and say nothing."""
-    assembly = pal.assemble(source)
-    assert (assembly.dialect, assembly.ok) == ("pal3", False)
-    assert assembly.messages[0] == "IC  0232  AT  0200"
-    assert "PN36" not in {found.code for found in assembly.diagnostics}
+    for dialect in ("pal3", "auto"):
+        assembly = pal.assemble(source, dialect=dialect)
+        assert (assembly.dialect, assembly.ok) == ("pal3", False)
+        assert assembly.messages[0] == "IC  0232  AT  0200"
+        assert "PN36" not in {found.code for found in assembly.diagnostics}
 
 
 def test_a_mistake_in_small_letters_is_the_one_that_is_reported() -> None:
