@@ -13,12 +13,13 @@ from typing import NamedTuple
 from pal.diagnostics import Diagnostic
 from pal.document import Document, Span
 from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
-from pal.pieces import NAME, NUMBER, comment, pieces
+from pal.pieces import comment
 
 _UNDEFINED = ("UA", "US")
 _ILLEGAL_REFERENCE = "IR"
 _MEANT = re.compile(r"did you mean ([A-Z0-9 ]+)\?")
 _ORIGIN = re.compile(r"[ \t]*(?:[*$]|(?:PAGE|FIELD)\b(?![ \t]*[,=]))")
+_OPERAND = re.compile(r"[ \t]+([A-Za-z0-9]+)[ \t]*(?:;|$)")
 _LONGEST = 5
 """Characters of a name that follow the P in the name of its pointer."""
 
@@ -59,19 +60,14 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
 def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
     """Yield the fix that refers through a pointer on this page."""
     text = document.line(span.tape, span.line)
-    statement = text[: comment(text, document.dialect)]
-    end = statement.find(";", span.end) if ";" in statement[span.end :] else len(statement)
-    operands = [each for each in pieces(text, document.dialect) if span.end <= each.start and each.end <= end]
-    if len(operands) != 1 or operands[0].kind not in (NAME, NUMBER):
+    operand = _OPERAND.match(text[: comment(text, document.dialect)], span.end)
+    if operand is None:
         return
-    operand = text[operands[0].start : operands[0].end]
-    pointer = f"P{operand[:_LONGEST].upper()}"
+    pointer = f"P{operand[1][:_LONGEST].upper()}"
     if pointer not in document.assembly.symbols:
-        place = span._replace(start=operands[0].start, end=operands[0].end)
-        word = _end_of_page(document, span)
-        yield Fix(
-            f"Go through a pointer, {pointer}", [(place, f"I {pointer}"), (word, f"{pointer},\t{operand}\n")]
-        )
+        place = span._replace(start=operand.start(1), end=operand.end(1))
+        word = (_end_of_page(document, span), f"{pointer},\t{operand[1]}\n")
+        yield Fix(f"Go through a pointer, {pointer}", [(place, f"I {pointer}"), word])
 
 
 def _end_of_page(document: Document, span: Span) -> Span:

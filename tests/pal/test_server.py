@@ -25,6 +25,7 @@ from pal import server
 from pal.document import Document
 from pal.fixes import fixes
 from pal.formatting import formatted
+from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
 from pal.text import Text
 from pal.workspace import Workspace
 from pdp8 import shelf
@@ -162,15 +163,78 @@ def test_of_a_tape_beside_another_is_known_what_is_known_of_it_alone() -> None:
                         assert both.hover(tape, line, column) == other.hover(0, line, column)
 
 
+MARKED = """\
+*200
+\tJMS SUB
+\tJMS V
+\tTAD NIX
+SUB,\t0
+\tHLT
+V=300
+/ <a
+/ b>
+\tTEXT '<'
+\tTEXT '>'; BSW
+IFZERO 0 <
+\tCLA
+>
+>
+Q=R
+$
+"""
+
+
+def test_a_document_knows_what_is_no_code_and_what_is_not_defined() -> None:
+    known = one(MARKED, "pal8")
+    assert [each.name for each in known.definitions] == ["SUB", "V"], "Q gets no value"
+    assert [(each.entry.name, each.first, each.last) for each in known.routines] == [("SUB", 4, 4)]
+    assert known.folds(0) == [(0, 16, False), (11, 13, False), (7, 8, True)]
+    places = [(3, 8), (7, 2), (9, 9), (10, 9), (10, 10), (17, 0)]
+    assert [bool(known.completions(0, *at)) for at in places] == [True, False, False, False, True, True]
+    tokens = {MARKED.split("\n")[at.line][at.start : at.end]: kind for at, kind, _ in known.tokens(0)}
+    assert (tokens["NIX"], tokens["V"], tokens["HLT"]) == ("function", "variable", "keyword")
+    assert known.hover(0, 10, 12).startswith("`BSW: 7002, no instruction of a PDP-8/L`")
+    assert known.hover(0, 3, 6).startswith("`0202  1000`"), "nothing is known of NIX"
+    assert one("*200\n\tTAD B\n$\n").hover(0, 1, 5).startswith("`B` = 0377, used 1 time  \n`0200  1377`")
+    two = Document([Text("*200\n\tTAD NIX\n"), Text("\tHLT\n$\n")], ["a.pal", "b.pal"])
+    assert [[each.code for each in two.found(tape)] for tape in (0, 1)] == [["UA"], []]
+
+
+def test_a_place_behind_a_text_is_its_end() -> None:
+    text = Text("A\nB")
+    assert [text.column(line, 9) for line in range(3)] == [1, 1, 0]
+    assert text.edited((2, 0), (9, 9), "C").content == "A\nBC"
+
+
+def test_a_program_is_of_the_tapes_that_settings_name() -> None:
+    workspace = Workspace("pal3", lambda uri: "*200\n\tTAD NIX\n")
+    workspace.name_programs([["a.pal", "b/a.pal"], ["x", 5], 7, "yz"], "/tmp")
+    tapes = [f"{FOLDER}/a.pal", f"{FOLDER}/b/a.pal"]
+    assert workspace.tapes(tapes[1]) == tapes
+    document, tape = workspace.document(tapes[1])
+    assert (tape, {each.file for each in document.assembly.diagnostics}) == (1, {*tapes})
+    for uri in (f"{FOLDER}/x", f"{FOLDER}/y", "untitled:a.pal", "file://host/tmp/a.pal"):
+        assert workspace.tapes(uri) == [uri]
+    workspace.name_programs([["a.pal", "b.pal"]], "/tmp")
+    document, _ = workspace.document(tapes[0])
+    assert {each.file for each in document.assembly.diagnostics} == {"a.pal", "b.pal"}
+    workspace.name_programs({"programs": [["a.pal"]]}, "/tmp")
+    assert workspace.tapes(tapes[0]) == tapes[:1]
+
+
 class Asked:
     """A server without an editor: it keeps the answers to each request."""
 
     def __init__(self, **texts: str) -> None:
         self.answers: dict[str, Any] = {}
+        self.published: list[str] = []
         self.workspace = SimpleNamespace(root_path="/tmp")
         workspace = Workspace("pal3", lambda uri: "")
         workspace.open = {f"{FOLDER}/{name}.pal": Text(text) for name, text in texts.items()}
         server.Answers(cast(Any, self), workspace)
+
+    def text_document_publish_diagnostics(self, params: lsp.PublishDiagnosticsParams) -> None:
+        self.published.append(params.uri.rpartition("/")[2] + "!" * len(params.diagnostics))
 
     def feature(self, method: str, *_: object) -> Any:
         return lambda answer: self.answers.update({method: answer})
@@ -180,6 +244,32 @@ class Asked:
     def __call__(self, method: str, **given: Any) -> Any:
         document = lsp.TextDocumentIdentifier(f"{FOLDER}/a.pal")
         return self.answers[method](SimpleNamespace(text_document=document, **given))
+
+
+def test_what_an_editor_need_not_send() -> None:
+    """Settings of another kind, a change of a text that is not open, the tapes that are not open."""
+    asked = Asked(a="*200\n\tTAD B\n", c="*200\n\tHLT\n$\n")
+    configured, changed = asked.answers[lsp.WORKSPACE_DID_CHANGE_CONFIGURATION], lsp.TEXT_DOCUMENT_DID_CHANGE
+    for settings in (None, [], {"pdp8": {}}):
+        configured(SimpleNamespace(settings=settings))
+    assert asked.published == ["a.pal!!", "c.pal"] * 3
+    asked.workspace.root_path = None
+    configured(SimpleNamespace(settings={"programs": [[f"/tmp/{name}.pal" for name in "abc"]]}))
+    asked.published.clear()
+    asked(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    assert asked.published == ["a.pal", "c.pal"]
+    insert = lsp.TextDocumentContentChangePartial(
+        lsp.Range(lsp.Position(0, 0), lsp.Position(0, 0)), "\tTAD D\n"
+    )
+    asked(changed, content_changes=[insert])
+    assert asked.published[2:] == ["a.pal!", "c.pal!"], "C's word lies on A's"
+
+
+def test_another_dialect_is_offered_for_what_has_an_error() -> None:
+    everything = lsp.Range(lsp.Position(0, 0), lsp.Position(9, 0))
+    for word, offered in (("HLT", []), ("TAD (5", ["Assemble it as PAL8"])):
+        found = Asked(a=f"*200\n\t{word}\n")(lsp.TEXT_DOCUMENT_CODE_ACTION, range=everything)
+        assert [each.title for each in found if isinstance(each, lsp.Command)] == offered
 
 
 def test_what_is_within_a_subroutine_is_below_it_in_the_outline() -> None:
@@ -225,6 +315,15 @@ def test_each_line_is_put_in_columns_and_no_word_changes() -> None:
         assert text != spaced
         assert formatted(text, "pal3") == text
         assert pal.assemble(text).words == pal.assemble(spaced).words
+
+
+@pytest.mark.parametrize(
+    ("lines", "dialect"), [("FIELD/\n\tHLT", "pal3"), ("\tHLT\nA=FIXMRI/PAGE", "pal3"), ("A +", "pal8")]
+)
+def test_what_columns_would_change_is_left(lines: str, dialect: str) -> None:
+    """Its words, its symbols or what is said of it."""
+    source = f"*200\n{lines}\n$\n"
+    assert formatted(source, dialect) == source
 
 
 def test_columns_leave_texts_alone() -> None:
@@ -330,6 +429,8 @@ def test_what_is_no_request_is_answered_as_an_error_and_the_session_goes_on() ->
         {"id": 1, "method": "initialize", "params": {"processId": None, "rootUri": None, "capabilities": {}}},
         {"id": 2, "method": "textDocument/hover", "params": {"textDocument": 7}},
         {"id": 3, "method": "textDocument/definition"},
+        {"method": "textDocument/didOpen", "params": {"textDocument": 7}},
+        {"id": 9},
         {"id": 4, "method": "textDocument/foldingRange", "params": {"textDocument": {"uri": URI}}},
         {"id": 5, "method": "shutdown"},
         {"method": "exit"},
@@ -343,6 +444,35 @@ def test_what_is_no_request_is_answered_as_an_error_and_the_session_goes_on() ->
         r'"code": (-?\d+).*?"id": (\d)|"id": (\d), "jsonrpc": "2.0", "result"', done.stdout.decode()
     )
     assert answers == [("", "", "1"), ("-32602", "2", ""), ("-32602", "3", ""), ("", "", "4"), ("", "", "5")]
+
+
+FIXES: dict[str, dict[str, list[str]]] = {
+    "START CLA": {"UA": ["Write START, as a tag", "Define START"]},
+    "START\tCLA": {"UA": ["Write START, as a tag", "Define START"]},
+    "START(CLA": {"UA": ["Define START"]},
+    " START CLA": {"UA": ["Define START"]},
+    "\tTDA 200": {"UA": ["Define TDA"], MEANT: ["Write TAD"]},
+    "\t\x7fTDA 200": {"UA": [], MEANT: ["Write TAD"]},
+    "\tTAD 18": {NOT_OCTAL: ["Write 22, octal for 18"]},
+    "\tTAD 1\x7f8": {NOT_OCTAL: []},
+    "NIX ONE OR TWO": {NO_SLASH: ["Make it a comment"]},
+    "A:\tCLA": {COLON: ["End the tag with a comma"]},
+    "\tJMP FAR": {"IR": ["Go through a pointer, PFAR"]},
+    "\tJMP  FAR ; CLA": {"IR": ["Go through a pointer, PFAR"]},
+    "\tJMP 400\t/FAR": {"IR": ["Go through a pointer, P400"]},
+    "\tJMP FAR+1": {"IR": []},
+    "\tJMP .+200": {"IR": []},
+    "\tJMP FAR 1": {"IR": []},
+    "\tJMP I FAR": {"IR": []},
+}
+
+
+@pytest.mark.parametrize("line", FIXES)
+def test_what_mends_a_line_is_offered(line: str) -> None:
+    document = one(f"*200\n{line}\n*400\nFAR,\tHLT\n$\n")
+    for code, titles in FIXES[line].items():
+        found = next(each for each in document.found(0) if each.code == code)
+        assert [each.title for each in fixes(document, 0, found)] == titles
 
 
 def test_a_pointer_is_offered_unless_its_name_is_taken() -> None:
