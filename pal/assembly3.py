@@ -103,7 +103,7 @@ class Assembly3(Assembly):
         if self._assembler.moved or self._model:
             stopped = stopped or self._third.stopped
             noted += review.of_pass_3(self._second, self._third.output)
-        if self._model and not self.stopped:
+        if self._model:
             noted += review.on_models(self._source, self._second, self._model)
         return of_pal3(self._source, self._complaints, stopped, noted)
 

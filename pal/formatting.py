@@ -26,7 +26,7 @@ _COMMENTS = 24
 
 def formatted(source: str, dialect: str) -> str:
     """Return `source` in columns, or unchanged if that would change its words."""
-    text = "".join(part if _ENDS.fullmatch(part) else _steady(part) for part in _ENDS.split(source))
+    text = "".join(part if _ENDS.fullmatch(part) else _line(part) for part in _ENDS.split(source))
     before, after = assemble(source, dialect=dialect), assemble(text, dialect=dialect)
     same = before.words == after.words and before.symbols == after.symbols
     return text if same and len(before.diagnostics) >= len(after.diagnostics) else source
@@ -42,12 +42,6 @@ def silenced(source: str) -> str:
         elif not found.error:
             lines[found.line - 1] = f"{line}{' ' if '/' in line else '/'}pal: {found.code}"
     return "\n".join(lines)
-
-
-def _steady(line: str) -> str:
-    """Return the line in columns, or unchanged if formatting it twice would change it again."""
-    once = _line(line)
-    return once if _line(once) == once else line
 
 
 def _line(line: str) -> str:

@@ -90,8 +90,7 @@ def differs(word: int, model: str) -> str:
     """Return what `word` does on `model` and not on others, "" if nothing. Raises ValueError."""
     if model not in MODELS:
         raise ValueError(f"{model!r} is not one of {', '.join(MODELS)}")
-    said = dict.fromkeys(_sentence(rule, model) for rule in rules(word) if model in rule.does)
-    return "; ".join(sentence for sentence in said if sentence)
+    return "; ".join(dict.fromkeys(_sentence(rule, model) for rule in rules(word) if model in rule.does))
 
 
 def _sentence(rule: Rule, model: str) -> str:
@@ -102,4 +101,4 @@ def _sentence(rule: Rule, model: str) -> str:
         if does != here:
             others.setdefault(does, []).append(other)
     elsewhere = ", ".join(f"on {', '.join(models)} it {does}" for does, models in others.items())
-    return f"{here} on {model}; {elsewhere}" if elsewhere else ""
+    return f"{here} on {model}; {elsewhere}"

@@ -166,9 +166,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
     calls: list[tuple[Written, int]] = []
     for written in cells.values():
         operation = written.word >> 9
-        if operation > JMP or written.word & INDIRECT or written.link or not written.names:
-            continue
-        if written.literal or not _is_instruction(written, instructions):
+        if operation > JMP or written.word & INDIRECT or not _is_instruction(written, instructions):
             continue
         if operation >= JMS and _changes_field(cells, written.address):
             continue
@@ -198,7 +196,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
     for target in sorted(called | (counted - stored)):
         cell = cells.get(target)
         before = cells.get(target - 1)
-        if cell is None or before is None or cell.literal or before.literal or cell.word >= IOT << 9:
+        if cell is None or before is None or cell.literal or cell.word >= IOT << 9:
             continue
         if _is_instruction(cell, instructions) or not _is_instruction(before, instructions):
             continue
@@ -370,7 +368,6 @@ def of_names(mentions: Iterable[tuple[str, int]], permanent: Iterable[str]) -> l
         first = spelled.setdefault(cut, name)
         if cut in told or cut in known or first.startswith(name) or name.startswith(first):
             continue  # the same name, shortened
-        if first != name:
-            told.add(cut)
-            notes.append(note("PN09", at, name=name, first=first))
+        told.add(cut)
+        notes.append(note("PN09", at, name=name, first=first))
     return notes

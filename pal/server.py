@@ -146,7 +146,7 @@ class Answers:
 
     def _closed(self, params: lsp.DidCloseTextDocumentParams) -> None:
         uri = params.text_document.uri
-        others = [tape for tape in self._workspace.tapes(uri) if tape != uri and tape in self._workspace.open]
+        others = [tape for tape in self._workspace.tapes(uri) if tape != uri]
         self._workspace.close(uri)
         self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
         self._publish(others)
@@ -169,7 +169,7 @@ class Answers:
         span = Span(tape, found.line - 1, found.column - 1, found.end_column - 1)
         said = "\n".join(each for each in (found.message, found.advice, found.hint) if each)
         where, severity = self._range(document, span), _SEVERITIES[found.error]
-        return lsp.Diagnostic(where, said, severity, code=found.code or None, source="pal")
+        return lsp.Diagnostic(where, said, severity, code=found.code, source="pal")
 
     def _range(self, document: Document, span: Span) -> lsp.Range:
         first, last = document.characters(span)

@@ -56,7 +56,7 @@ class Text:
     def _width(self, code_point: str) -> int:
         if self.unit == UTF8:
             return len(code_point.encode("utf-8", "surrogatepass"))
-        return 2 if self.unit == UTF16 and code_point > "\uffff" else 1
+        return 2 if code_point > "\uffff" else 1
 
     def _offset(self, line: int, character: int) -> int:
         if line >= len(self.lines):
