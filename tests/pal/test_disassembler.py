@@ -117,6 +117,12 @@ def test_with_symbols_and_entries_the_words_come_back_and_nothing_is_noted(
     assert (assembly.words, assembly.diagnostics) == (core, [])
 
 
+def test_a_comment_is_put_to_each_note_and_to_no_error() -> None:
+    source = "\tTAD 18; RAL RAR\n\tTAD 19\t/C\n\tTAD NIX\n\tHLT\n$\n"
+    said = "\tTAD 18; RAL RAR/pal: PN05 PN01\n\tTAD 19\t/C pal: PN05\n\tTAD NIX\n\tHLT\n$\n"
+    assert silenced(source) == said
+
+
 def test_entries_tell_code_from_numbers_and_symbols_name_words() -> None:
     source = """\
 *200

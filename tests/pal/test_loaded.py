@@ -7,6 +7,7 @@ from copy import copy
 from functools import cache
 
 import pal
+from pal import punch
 from pdp8 import Machine, shelf
 from pdp8.computer.stop import Reason
 from tapes import rim
@@ -62,6 +63,10 @@ def compare(source: str, dialect: str) -> bool:
     for address, words in found.items():
         assert core.get(address, 0) in words, f"{address:04o}"
     return True
+
+
+def test_a_word_is_loaded_at_0_and_none_before_an_origin() -> None:
+    assert punch.loaded(b"\x80\x00\x05\x40\x00\x00\x07\x00\x08\x80") == {0: 7}
 
 
 def test_words_are_what_is_loaded() -> None:

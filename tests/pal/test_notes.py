@@ -52,6 +52,13 @@ ENDS = "CLA;HLT|CLA;SNA HLT|SZA;JMS 20|CLA;JMP 20|OSR;JMP 20|RAL;JMP 20|KCC;JMP 
 ENDS += "|HLT;CLA|5;CLA|7440;JMP 20|SZA 1;JMP 20|SZA;5|ION;JMP I 0"
 
 
+def test_a_hundred_undefined_names_are_looked_for() -> None:
+    for count in (99, 100):
+        source = "*200\n" + "".join(f"\tTAD ZZ{number}\n" for number in range(count)) + "\tTDA 5\n$\n"
+        found = [each.message for each in pal.assemble(source).diagnostics if each.code == "PN33"]
+        assert found == ["TDA is not defined: did you mean TAD?"] * (count < 100)
+
+
 def test_data_that_the_program_runs_into_are_noted() -> None:
     for data, notes in (("5777", 1), ("6000", 0)):
         assert len(noted(f"*250\n\tTAD A\n\tHLT\n*200\n\tCLA\nA,\t{data}\n$\n")) == notes

@@ -250,7 +250,8 @@ def test_what_an_editor_need_not_send() -> None:
     """Settings of another kind, a change of a text that is not open, the tapes that are not open."""
     asked = Asked(a="*200\n\tTAD B\n", c="*200\n\tHLT\n$\n")
     configured, changed = asked.answers[lsp.WORKSPACE_DID_CHANGE_CONFIGURATION], lsp.TEXT_DOCUMENT_DID_CHANGE
-    for settings in (None, [], {"pdp8": {}}):
+    others: tuple[Any, ...] = (None, 7, {"pdp8": {}})
+    for settings in others:
         configured(SimpleNamespace(settings=settings))
     assert asked.published == ["a.pal!!", "c.pal"] * 3
     asked.workspace.root_path = None
