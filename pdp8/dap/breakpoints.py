@@ -46,7 +46,7 @@ class Point:
         self._hits: list[int] = []
         """The instructions at which it was hit, if they are counted."""
         self._condition: expressions.Value | None = None
-        self._log: Callable[[], str] | None = None
+        self._log: Callable[[], str] = str
 
     def place(self, monitor: Monitor, places: Places) -> None:
         """Find the place of the breakpoint in the program that is loaded."""
@@ -115,7 +115,7 @@ class Point:
         if not self._met(now):
             return False
         if self.asked.get("logMessage"):
-            say.append(self._log() if self._log else "")
+            say.append(self._log())
             return False
         return True
 

@@ -75,11 +75,11 @@ def _value(node: ast.expr, text: str, monitor: Monitor, address: bool) -> Value:
         case ast.Subscript(value=ast.Name(id="_core"), slice=inner):
             at, core = _value(inner, text, monitor, True), monitor.machine
             return lambda: core.core[at() & 0o7777]
-        case ast.BinOp(left, sign, right) if type(sign) in _MADE:
+        case ast.BinOp(left, sign, right):
             one, other = (_value(each, text, monitor, address) for each in (left, right))
             made = _MADE[type(sign)]
             return lambda: made(one(), other()) & 0o7777
-        case ast.Compare(left, [sign], [right]) if type(sign) in _MADE:
+        case ast.Compare(left, [sign], [right]):
             one, other = (_value(each, text, monitor, address) for each in (left, right))
             made = _MADE[type(sign)]
             return lambda: int(made(one(), other()))

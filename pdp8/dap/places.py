@@ -111,7 +111,7 @@ class Places:
         at = line - self._first
         edits = SequenceMatcher(None, before, self.text(source)).get_opcodes()
         for _, first, last, start, end in edits:
-            if first <= at < last:
+            if at < last:
                 return start + min(at - first, max(end - start - 1, 0)) + self._first
         return line
 

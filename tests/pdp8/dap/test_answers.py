@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from pdp8 import shelf
-from pdp8.computer.hardware.fields import FRAMES, TICK
+from pdp8.computer.hardware.fields import FRAMES, TICK, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls, expressions, requests, scopes, wire
@@ -154,6 +154,8 @@ def test_the_innermost_64_calls_are_shown(depth: int) -> None:
         ({0o200: 0o4210, 0o210: 0o204}, 0o212, 1, [0o210, None]),  # three arguments
         ({0o200: 0o4210, 0o210: 0o205}, 0o212, 1, [None]),
         ({0o200: 0o4210, 0o210: 0o200}, 0o212, 1, [None]),
+        ({0o10: 0o210, 0o200: 0o4410, 0o210: 0o201}, 0o212, 1, [None]),  # JMS I 10
+        ({0o2200: 0o4210, 0o2210: 0o2201, 0o2211: 0o5210}, 0o2212, 1, [None]),  # JMP to the entry itself
         # a routine begins at 0001 and goes through the first word of what was interrupted
         ({0: 0o300, 1: 0o5020, 0o20: 0o201, 0o21: 0o5040, 0o30: 0o202, 0o31: 0o5430, 0o200: 0o4020,
           0o201: 0o4030}, 0o40, 0, [0, None]),
@@ -464,3 +466,79 @@ def test_a_breakpoint_set_while_the_machine_runs_stops_it(
     begun: tuple[str, dict[str, Any]] = ("configurationDone", {})
     heard = held(("launch", {"program": str(path)}), begun, ("setBreakpoints", points), ("threads", {}))
     assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == reasons
+
+
+def test_a_breakpoint_of_an_instruction_and_one_asked_for_twice(program: str) -> None:
+    def placed(answer: dict[str, Any]) -> list[Any]:
+        return [
+            (each["id"], each.get("instructionReference", each.get("message")))
+            for each in answer["breakpoints"]
+        ]
+
+    places: list[dict[str, Any]] = [
+        {"instructionReference": "0x0100"}, {"instructionReference": "0x0100", "offset": 2},
+        {"instructionReference": "0x0101"},
+    ]  # fmt: skip
+    source = {"path": program}
+    instructions, names, lines, none = asked(
+        program,
+        ("setInstructionBreakpoints", {"breakpoints": places}),
+        ("setFunctionBreakpoints", {"breakpoints": [{"name": "SUB"}, {"name": "SUB"}]}),
+        ("setBreakpoints", {"source": source, "breakpoints": [{"line": 2}]}),
+        ("setBreakpoints", {"source": source}),
+    )
+    wanted = [(1, "0x0100"), (2, "0x0102"), (3, "0x0101: no word begins at byte 101")]
+    assert placed(instructions) == wanted
+    assert placed(names) == [(4, "0x0180")] * 2
+    assert (placed(lines), placed(none)) == ([(5, "0x0100")], [])
+
+
+def test_breakpoints_in_the_listing_of_a_tape(program: str, tmp_path: Path) -> None:
+    tape = tmp_path / "own.bin"
+    tape.write_bytes(binary.encode({0o200: 0o7402}))
+    of: list[dict[str, Any]] = [{"sourceReference": 1}, {"sourceReference": 2}, {"path": str(tape)}]
+    points = [("setBreakpoints", {"source": each, "breakpoints": [{"line": 1}]}) for each in of]
+    answers = [*asked(str(tape), *points), *asked(program, points[0])]
+    assert [each["breakpoints"][0]["verified"] for each in answers] == [True, False, False, False]
+
+
+def test_where_the_program_has_no_word_there_is_no_line(program: str) -> None:
+    _, stack, whole, beyond = asked(
+        program,
+        ("setVariable", {"variablesReference": 1, "name": "PC", "value": "7000"}),
+        ("stackTrace", {"threadId": 1, "startFrame": None, "levels": None}),
+        ("stackTrace", {"threadId": 1, "levels": 0}),
+        ("stackTrace", {"threadId": 1, "startFrame": 1}),
+    )
+    place = {"instructionPointerReference": "0x1c00", "line": 0, "column": 0}
+    assert stack["stackFrames"] == [{"id": 0, "name": "7000  main program", **place}]
+    assert (whole, beyond["stackFrames"]) == (stack, [])
+
+
+def test_the_parts_have_the_numbers_from_100_on(program: str) -> None:
+    count = len([*walk(Machine().parts())])
+    *parts, none, field = asked(
+        program,
+        *(("variables", {"variablesReference": 100 + number}) for number in range(count + 1)),
+        ("setVariable", {"variablesReference": 100, "name": "nothing", "value": "1"}),
+    )
+    shown = [each["name"] for part in parts for each in part["variables"]]
+    assert "clock" in shown
+    assert "core" not in shown
+    assert none == f"{100 + count}: no scope has this number"
+    assert field == "nothing cannot be set"
+
+
+def test_what_is_no_expression_is_a_command_at_the_console_only(program: str) -> None:
+    empty, hovered, entered, restarted, sr = asked(
+        program,
+        ("evaluate", {"expression": " "}),
+        ("evaluate", {"expression": "nix"}),
+        console("nix"),
+        ("restart", {"arguments": {"program": program, "sr": "1234"}}),
+        ("evaluate", {"expression": "SR"}),
+    )
+    assert empty == "a register, a symbol or an address expected"
+    assert hovered == "nix: neither a register nor a symbol of the program"
+    assert entered == "'nix': no such command; help tells which there are"
+    assert (restarted, sr["result"]) == (None, "1234")

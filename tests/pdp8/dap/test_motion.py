@@ -167,6 +167,30 @@ def test_an_interrupted_instruction_is_stepped_over_with_its_interrupt(tmp_path:
     assert machine.pc == word & 0o177 | interrupted & 0o7600
 
 
+def test_a_step_over_a_call_passes_a_log_message(tmp_path: Path) -> None:
+    debuggee = began("*200\nJMS SUB\nHLT\nSUB,0\nCLA\nJMP I SUB\n$\n", tmp_path)
+    asked = {"name": "204", "logMessage": "in SUB"}
+    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [("204", asked)])
+    halt = debuggee.over()
+    while halt is None:
+        halt = debuggee.advance()
+    assert (halt, debuggee.monitor.machine.pc, debuggee.notes()) == (Halt("step"), 0o201, "in SUB\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "places"),
+    [
+        ({0o202: 0o201, 0o203: 0o7200}, {0o201}),
+        ({0o202: 0o201, 0o203: 0o2202}, {0o201}),  # it counts, and is right behind its argument
+        ({0o212: 0o201, 0o213: 0o2212}, {*range(0o201, 0o211)}),
+    ],
+)
+def test_the_places_that_a_subroutine_returns_to(words: dict[int, int], places: set[int]) -> None:
+    machine = Machine()
+    machine.load(words)
+    assert motion.Goal(min(words)).places(machine) == places
+
+
 def test_a_machine_that_stands_says_at_what(tmp_path: Path) -> None:
     debuggee = began("*200\nCLA\nHLT\n$\n", tmp_path)
     machine = debuggee.monitor.machine

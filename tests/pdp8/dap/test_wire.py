@@ -108,6 +108,25 @@ def test_a_session_ends_once() -> None:
     assert [each for each in told if each in ended] == [*ended, "terminate", *ended]
 
 
+@pytest.mark.parametrize(
+    ("launch", "asked", "ends"),
+    [
+        (None, ("terminate", {}), True),
+        ({}, ("configurationDone", {}), False),
+        ({"noDebug": True}, ("configurationDone", {}), False),
+        ({}, console("quit"), True),
+    ],
+)
+def test_what_ends_a_session(
+    launch: dict[str, Any] | None, asked: tuple[str, dict[str, Any]], ends: bool
+) -> None:
+    """Without debugging there is no entry to stop at."""
+    whole = {"program": "hello.pal", "stopOnEntry": True}
+    heard = held(*[("launch", whole | launch)] if launch is not None else [], asked)
+    events = [each["event"] for each in heard if each["type"] == "event"]
+    assert (events[-2:] == ["exited", "terminated"]) is ends
+
+
 @pytest.mark.parametrize("leaves", ["terminate", "disconnect"])
 def test_a_tape_is_written_when_an_editor_leaves_a_run(leaves: str, tmp_path: Path) -> None:
     source, punch = tmp_path / "letters.pal", tmp_path / "out.eia"
@@ -182,12 +201,18 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
         ("disconnect", {}, ""),
     ]
     requests = [{"type": "request", "command": name, "arguments": given} for name, given, _ in asked]
-    done = run("pdp8", "dap", stdin=framed({"type": "event"}, *requests), folder=tmp_path)
+    done = run(
+        "pdp8",
+        "dap",
+        stdin=framed({"type": "event"}, {"type": "request", "command": 7}, *requests),
+        folder=tmp_path,
+    )
     assert done.stderr == b""
-    none, *said = [
+    none, number, *said = [
         answer.get("message", "") for answer in spoken(done.stdout) if answer["type"] == "response"
     ]
     assert none == "a request was expected, not 'event' None"
+    assert number == "a request was expected, not 'request' 7"
     assert len(said) == len(asked)
     for (name, _, expected), message in zip(asked, said, strict=True):
         assert (expected in message) if expected else message == "", f"{name}: {message}"
@@ -220,21 +245,25 @@ def test_lines_begin_at_1_unless_an_editor_says_0(words: dict[str, Any], line: i
     assert frames["body"]["stackFrames"][0]["line"] == line
 
 
-@pytest.mark.parametrize("shows", [True, False])
-def test_the_way_back_is_shown_to_editors_that_can(shows: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("shows", "every"), [(True, -1), (False, -1), (True, 99)])
+def test_the_way_back_is_shown_to_editors_that_can(
+    shows: bool, every: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def back_to(self: Debuggee, look: Callable[[float], None]) -> Halt:
         look(0.2)
         look(0.7)
         return Halt("entry")
 
-    monkeypatch.setattr(session, "_PROGRESS", -1)
+    monkeypatch.setattr(session, "_PROGRESS", every)
     monkeypatch.setattr(Debuggee, "back_to", back_to)
     launch = {"program": "hello.pal", "stopOnEntry": True}
     back = ("reverseContinue", {"threadId": 1})
     heard = held(("initialize", {"supportsProgressReporting": shows}), ("launch", launch), back, back)
     events = [each for each in heard if each.get("event", "").startswith("progress")]
     told = [(each["event"][8:], each["body"].get("percentage")) for each in events]
-    assert told == [("Start", None), ("Update", 20), ("Update", 70), ("End", None)] * (2 if shows else 0)
+    assert told == [("Start", None), ("Update", 20), ("Update", 70), ("End", None)] * (
+        2 if shows and every < 0 else 0
+    )
 
 
 def test_a_pause_ends_one_search_and_not_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
