@@ -35,7 +35,7 @@ def explain(frames: bytes, error: BlockError) -> str:
     if code is not codes.EIA:
         return _in_another_code(frames, code, error)
     labels = code.labels(frames)
-    if labels and error.frame is not None and error.frame < labels[-1].stop + ROWS:
+    if labels and (error.frame or 0) < labels[-1].stop + ROWS:
         label = labels[-1]
         cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
         return f"frame {label.start}: a title of {len(label)} frames before the program; {cure}"
@@ -58,14 +58,14 @@ def _in_block(frames: bytes, error: BlockError) -> str:
     start = (error.frame or 0) - error.row + 1
     block = range(start, start + ROWS)
     for gap in codes.EIA.gaps(frames):
-        if gap.start in block or start in gap:
+        if gap.start in block:
             said = f"{len(gap)} blank frames, where zeros are punched: a splice"
             return _left_out(gap, error.block, said)
     rubouts = [at for at in block if frames[at : at + 1] == bytes([DELETE])]
     if rubouts:
         run = range(rubouts[0], rubouts[-1] + 1)
         return _left_out(run, error.block, "rubouts (DEL), which the Hydra-Point reads as 15")
-    if frames[start] == EOB and error.row == 1:
+    if frames[start] == EOB:
         return _left_out(range(start, start + 1), error.block, "an end of block without a block")
     return str(error)
 

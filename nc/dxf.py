@@ -117,7 +117,7 @@ class _Drawing:
         """Yield the cuts that join end to end at one depth."""
         run: list[Move] = []
         for move in self._path.moves:
-            if run and not (move.start == run[-1].end and move.kind is MoveKind.MILL):
+            if run and move.kind is not MoveKind.MILL:
                 yield run
                 run = []
             if move.kind is MoveKind.MILL and move.start != move.end:

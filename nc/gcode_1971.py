@@ -40,7 +40,7 @@ def gcode_1971(path: Path, pitch: float = 0, unit: Unit = INCH) -> Iterator[str]
     for step in path.steps:
         yield from _numbered(step, [*_changes(before, step), *_moves(step, pitch, unit), *_stops(step)])
         before = step.modes
-    if path.steps and path.steps[-1].at.z:
+    if path.steps[-1].at.z:
         yield "G0 Z0.0000 (the tape ends here)"
     yield from ("M5", "M9", "M2")
 
@@ -66,7 +66,7 @@ def _changes(before: Modes, step: Step) -> Iterator[str]:
 
 def _moves(step: Step, pitch: float, unit: Unit) -> Iterator[str]:
     for move in step.moves:
-        backs_out = move.kind == MoveKind.FEED_OUT and is_tap(step) and step.modes.spindle
+        backs_out = move.kind == MoveKind.FEED_OUT and is_tap(step)
         if backs_out:
             yield from ["M4", *REVERSING]
         feed = round(unit.of(1000 * speed_of(step, move, pitch)), 4)

@@ -46,9 +46,8 @@ def _what(path: Path) -> Iterator[str]:
         yield f"extent        {place(low)} to {place(high)}"
         closes = f"{path.gap / 1000:.3f} in from its start" if path.gap else "at its start"
         yield f"milling ends  {place(path.cuts[-1].end)}, {closes}"
-    if path.steps:
-        last = path.steps[-1].at
-        yield f"cutter        {place(last)}, {quill(last)}"
+    last = path.steps[-1].at
+    yield f"cutter        {place(last)}, {quill(last)}"
 
 
 def _times(path: Path) -> Iterator[str]:

@@ -169,6 +169,9 @@ def test_the_figures_of_a_scale_have_room() -> None:
 
 
 def test_work_that_an_instrument_does_not_take() -> None:
+    for block in (0, 667):
+        with pytest.raises(WorkError, match=f"block {block}: the tape has blocks 1 to 666"):
+            plot(circle(), block=block)
     with pytest.raises(WorkError, match="use the Talysurf"):
         talyrond(inspect(slope(), SLOPE))
     found = walled(StraightLine(0, 0, 2000, 0), 1)

@@ -321,6 +321,7 @@ def test_a_graph_goes_through_every_turning_point() -> None:
     kept = [run.tolist() for run in runs(deviation, closed=False, every=100)]
     assert {0, 1, 12, 13} <= set(kept[0])
     assert kept[1] == [15, 16, 17]
+    assert runs(np.full(9, np.nan), closed=True) == []
 
 
 def test_a_point_that_comes_twice_in_a_row_changes_no_outline() -> None:
