@@ -8,7 +8,7 @@ import { Coach, find as drill } from "../../lessons/drill.mjs";
 import { html, put } from "../html.mjs";
 import { Panel } from "../panel.mjs";
 import { find } from "../written.mjs";
-import { keyed } from "./wiring.mjs";
+import { keyed, modified } from "./wiring.mjs";
 
 export class Switches {
   constructor(/** @type {Bench} */ bench) {
@@ -57,7 +57,7 @@ export class Switches {
   #key(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {
     const control = keyed(place.querySelector(".hand") ?? place, event);
     if (control) control.click();
-    else if (/^[0-7]$/.test(event.key) && place.querySelector(".rocker") && !event.ctrlKey && !event.altKey && !event.metaKey) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
+    else if (/^[0-7]$/.test(event.key) && place.querySelector(".rocker") && !modified(event)) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
     else return;
     event.preventDefault();
   }

@@ -5,7 +5,7 @@ import { forward } from "../../computer/use/goals.mjs";
 import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
-import { keyed } from "./wiring.mjs";
+import { keyed, modified } from "./wiring.mjs";
 
 const FINE = 4000; // steps of the slider: about half a pixel
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
@@ -27,7 +27,7 @@ export class Time {
       const own = event.target?.matches(TYPED_INTO) || (event.key === " " && event.target?.matches("button"));
       const action = control ? () => control.click() : /** @type {Record<string, () => void>} */ (keys)[event.key];
       const away = /Home|End/.test(event.key) && !bench.afternoon.on; // from the machine of the visitor
-      if (!action || own || away || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (!action || own || away || event.defaultPrevented || modified(event)) return;
       event.preventDefault();
       action();
     });

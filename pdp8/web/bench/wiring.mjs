@@ -20,9 +20,13 @@ export function wire(/** @type {Bench} */ bench) {
   }
 }
 
+/** Whether a key is pressed with another: Alt with an arrow, Ctrl with a digit are the browser's. */
+export const modified = (/** @type {KeyboardEvent} */ { ctrlKey, altKey, metaKey }) => ctrlKey || altKey || metaKey;
+
 /** The control within `place` that names the key of an event, or null. */
-export function keyed(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ { key, ctrlKey, altKey, metaKey }) {
-  if (ctrlKey || altKey || metaKey) return null;
+export function keyed(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {
+  if (modified(event)) return null;
+  const { key } = event;
   const name = key === " " ? "Space" : key.length === 1 ? key.toUpperCase() : key;
   return place.querySelector(`[aria-keyshortcuts~="${CSS.escape(name)}"]`);
 }
@@ -36,7 +40,7 @@ export function rove(/** @type {HTMLElement} */ row) {
   row.addEventListener("focusin", ({ target }) => choose(Math.max(0, controls.indexOf(target?.closest("button")))));
   row.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
+    if (!step || modified(event)) return;
     event.preventDefault();
     for (let next = at() + step; controls[next]; next += step) {
       if (controls[next].disabled || !controls[next].checkVisibility()) continue;

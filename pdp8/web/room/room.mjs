@@ -14,7 +14,7 @@ import { sent } from "../../computer/use/keys.mjs";
 import { bounds } from "../bench/path.mjs";
 import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
 import { codeOf } from "../bench/shelf.mjs";
-import { keyed } from "../bench/wiring.mjs";
+import { keyed, modified } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
 import { inWords } from "../panel.mjs";
 import { DESK, find, grouped, LATER, readdress } from "../written.mjs";
@@ -273,9 +273,9 @@ export class Room {
   }
 
   #key(/** @type {KeyboardEvent} */ event) {
-    const { altKey, ctrlKey, key, metaKey } = event;
+    const { key } = event;
     if (!this.open || event.defaultPrevented || event.target?.matches("input") || this.place.querySelector("dialog[open]")) return;
-    if (altKey || ctrlKey || metaKey || (key === " " && event.target?.matches("button"))) return;
+    if (modified(event) || (key === " " && event.target?.matches("button"))) return;
     const act = { "[": -1, "]": 1 }[key];
     const control = keyed(this.place.querySelector(".told"), event);
     if (act) this.go({ value: Math.max(0, Math.min(this.tour.length - 1, this.tour.turn + act)) });

@@ -129,6 +129,31 @@ def test_the_panel_by_keyboard(page: Page) -> None:
     assert _registers(page, "run, protect") == [0, 1]
 
 
+_MODIFIED = """() => {
+  const { machine: { processor, teletype }, clock } = workbench;
+  const state = () => String([..."sr run pc clock mem_prot sing_step".split(" ").map((of) => processor[of]),
+    teletype.receiver.due, clock.speed, location.hash, document.activeElement.id]);
+  const keys = [..." 01234567ABCDELSTWcx[]+-=", "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home",
+    "End", "Enter", "Escape", "Backspace", "F9"];
+  const places = ["body", "#computer .rocker", "#computer .words button", "#time button", "[role=tab]",
+    "#paper", "#core", "#blocks", "#drill"];
+  const taken = [];
+  for (const place of places) for (const key of keys) for (const more of ["altKey", "metaKey", "ctrlKey"]) {
+    const at = document.querySelector(place), before = state();
+    if (place === "#paper" && more === "ctrlKey" && /^[a-z]$/i.test(key)) continue; // a control character
+    const pressed = { key, [more]: true, bubbles: true, cancelable: true };
+    const left = at.emit?.("keydown", pressed) ?? at.dispatchEvent(new KeyboardEvent("keydown", pressed));
+    if (!left || state() !== before) taken.push(`${place} ${more} ${key}`);
+  }
+  return taken;
+}"""
+
+
+def test_a_key_with_a_modifier_is_the_browsers(page: Page) -> None:
+    """Alt with an arrow goes back, Ctrl with a digit to another tab: the page does nothing."""
+    assert page.evaluate(_MODIFIED) == []
+
+
 def test_the_lamps_are_said_after_every_key(page: Page) -> None:
     """Also when the picture after it has come: the address, the word and the rest, not that it is stopped."""
     click(page, "#in-words")
