@@ -127,12 +127,13 @@ class Script:
     def previous(self, unit: Unit) -> None:
         """Go to the previous instant, a `unit` earlier."""
         processor = self.machine.processor
-        fresh = processor.clock <= self._acted  # no cycle since the last action
-        if unit in (Unit.INSTRUCTION, Unit.CYCLE) and processor.run and not fresh:
-            self._previous_cycle(unit == Unit.INSTRUCTION)
-            return
-        until = self.now - 1
+        until, cycles = self.now - 1, unit in (Unit.INSTRUCTION, Unit.CYCLE)
+        if cycles and processor.run and processor.clock > self._acted:  # a cycle since the last action
+            until = processor.clock - 1
         self.to(until)  # so that a snapshot is near
+        if cycles and processor.run:
+            self._begin_cycle(unit == Unit.INSTRUCTION)
+            return
         for at in range(bisect_left(self._ticks, self.now) - 1, -1, -1):
             self._restore(at)
             found = list(self._instants(unit, until))
@@ -144,8 +145,8 @@ class Script:
 
     @property
     def _acted(self) -> int:
-        """The tick of the last action."""
-        return self.action.at if self.action else 0
+        """The tick of the last action of a machine that runs."""
+        return self.day.actions[self.done - 1].at
 
     def _next_cycle(self, whole: bool) -> None:
         """Run one cycle, or to the end of the instruction, or until the next action."""
@@ -155,13 +156,12 @@ class Script:
             if not (whole and processor.run and processor.next != FETCH and self.done == done):
                 return
 
-    def _previous_cycle(self, whole: bool) -> None:
+    def _begin_cycle(self, whole: bool) -> None:
+        """Go to the begin of this cycle, or of the `whole` instruction."""
         processor = self.machine.processor
-        while True:
+        while whole and processor.next != FETCH:
             self.to(processor.clock - 1)
-            self.now = max(processor.clock, self._acted)
-            if not (whole and processor.next != FETCH):
-                return
+        self.now = max(processor.clock, self._acted)
 
     @property
     def _next_action(self) -> int:
@@ -193,10 +193,11 @@ class Script:
         soon = min(self._next_action, act.ends)
         if act.kind in (Kind.TERMINAL, Kind.MILL):
             return min(soon, _first_from(self._rows, self.now + 1))
-        if not self.machine.processor.run:
-            return soon
-        event = self.machine.bus.next_event(self.machine.processor.clock)
-        return max(self.now + 1, min(soon, event, self.now + FRAME // 4))
+        processor = self.machine.processor
+        event = self.machine.bus.next_event(processor.clock)
+        if processor.run:
+            event = min(event, self.now + FRAME // 4)
+        return max(self.now + 1, min(soon, event))
 
     def _restore(self, at: int) -> None:
         self.machine.put(self._snapshots[at])
@@ -245,7 +246,7 @@ def go_on(machine: Machine, until: int) -> None:
     while p.run and p.next != FETCH and p.clock + CYCLE <= until:
         p.cycle()
     room = until - p.clock - _LONGEST
-    if p.run and p.next == FETCH and room > 0:
+    if p.run and room > 0:
         machine.run(room / TICKS_PER_SECOND)
     while p.run and p.clock + _cycle(machine) <= until:
         p.cycle()
