@@ -44,13 +44,11 @@ class ChooseTape(ModalScreen[Tape | None]):
             hand.can_focus = False
             yield hand
             yield Label("one at hand (↑ ↓), a file, or a bundled one:")
-            yield Input(value=self.tapes[0].name if self.tapes else "")
+            yield Input(value=self.tapes[0].name)
             yield Label("", classes="wrong", markup=False)
 
     def action_step(self, by: int) -> None:
         """Go up or down the list and put the tape's name on the line."""
-        if not self.tapes:
-            return
         at = self.query_one(OptionList).highlighted
         at = (0 if by > 0 else -1) if at is None else at + by
         line = self.query_one(Input)

@@ -33,8 +33,17 @@ async def test_the_card_says_what_is_wrong_and_what_is_next(room: Room, pilot: P
     assert room.session.machine.core[0o7756] == 0o6032
     await pilot.press("r")
     assert not room.session.said.startswith("toggling")
+    await pilot.press("n", "n", "b")
+    assert (stage(room), room.session.machine.core[0o7756], room.coach and room.coach.wrong) == (2, 0o6032, 1)
+    assert not room.session.said.startswith("back")
     await pilot.press("x")
     assert (stage(room), room.session.machine.core[0o7756]) == (0, 0)
+    room.session.machine.teletype.punch.frames += b"1"
+    await pilot.press("ctrl+q")
+    await pilot.pause()
+    assert len(room.screen_stack) == 2
+    await pilot.press("y")
+    assert room._exit
 
 
 @scene(size=SIZE, drill="rim", left_alone=60)
@@ -49,6 +58,9 @@ async def test_a_kiosk_closes_what_a_visitor_left_open(room: Room, pilot: Pilot[
     assert room.is_running
     await pilot.press(*"7756l", *"6032d")
     assert stage(room) == 2
+    room.session.machine.teletype.punch.frames += b"1"
+    await pilot.press("ctrl+q")
+    assert room._exit
 
 
 @scene(size=SIZE, drill="rim", left_alone=60)

@@ -12,7 +12,9 @@ from textual.pilot import Pilot
 from textual.widgets import OptionList
 
 from pdp8 import shelf
+from pdp8.console import lamps
 from pdp8.console.app import Room
+from pdp8.console.pages import Card, Core
 from pdp8.console.switches import Rocker
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, scene, shown
@@ -125,6 +127,12 @@ async def test_the_room_in_terminals_of_three_sizes(room: Room, pilot: Pilot[Non
         await pilot.resize_terminal(*size)
         await pilot.pause()
         assert_shows(room, f"translating, {size[0]}x{size[1]}")
+    for size, everything in (((150, 34), True), ((149, 34), False), ((150, 33), False)):
+        await pilot.resize_terminal(*size)
+        await pilot.pause()
+        assert [page in shown(room) for page in ("RIM loader", "core about")] == [everything] * 2
+    assert [lamps.columns(width).wide for width in (94, 95)] == [False, True]
+    assert [lamps.lamp(brightness)[0] for brightness in (0.04, 0.05)] == ["○", "●"]
 
 
 @scene(size=(60, 20))
@@ -135,6 +143,10 @@ async def test_a_terminal_too_small_says_so(room: Room, pilot: Pilot[None]) -> N
     await pilot.resize_terminal(80, 24)
     await press(pilot, "escape")
     assert "MEM ADDR" in shown(room)
+    for size in ((79, 24), (80, 23)):
+        await pilot.resize_terminal(*size)
+        await pilot.pause()
+        assert "80 columns and 24 lines" in shown(room)
 
 
 @scene(program="tests/pdp8/console/typewriter.pal")
@@ -147,21 +159,35 @@ async def test_typing_at_the_teletype(room: Room, pilot: Pilot[None]) -> None:
     assert bytes(machine.teletype.printer.frames) == bytes([0o310, 0o311, 0o261, 0o215, 0o203])
     assert "HI1" in shown(room)
     assert "ESC goes back" in shown(room)
-    await press(pilot, "escape 7")
-    assert machine.sr == 0o2007
+    await press(pilot, "escape 7 tab up tab 7")
+    assert machine.sr == 0o0077
+    turn(room, 1.0)
+    assert len(machine.teletype.printer.frames) == 5
 
 
 @scene()
 async def test_pages_pace_lever_and_punch(room: Room, pilot: Pilot[None]) -> None:
+    for width, statement in ((93, False), (94, True)):
+        await pilot.resize_terminal(width, 30)
+        await pilot.pause()
+        assert ("KCC" in room.query_one(Card).render().plain) is statement
     assert "RIM loader" in shown(room)
     await press(pilot, "g")
     assert "listing of" in shown(room)
     await press(pilot, "g")
     assert "core about the PC" in shown(room)
+    for width, words in ((89, 4), (90, 8)):
+        await pilot.resize_terminal(width, 30)
+        await pilot.pause()
+        assert room.query_one(Core).render().plain.splitlines()[1] == f"{words:04o} " + " 0000" * words
     await press(pilot, "v u p")
     assert "STOP · reader" in shown(room)
     assert "punch OFF" in shown(room)
     assert "×10" in shown(room)
+    assert "not quite" not in shown(room)
+    room.session.behind = True
+    await press(pilot, "x")
+    assert "not quite ×10" in shown(room)
 
 
 @scene(program="eia.pal", reader="circle.asc")
@@ -190,6 +216,8 @@ async def test_leaving_asks_for_a_tape_that_is_not_torn_off(room: Room, pilot: P
     room.session.machine.teletype.punch.frames += b"12"
     await press(pilot, "q")
     assert "2 frames punched and not torn off" in shown(room)
+    await press(pilot, "n ctrl+q")
+    assert len(room.screen_stack) == 2
     await press(pilot, "n")
     assert len(room.screen_stack) == 1
     assert room.is_running
@@ -210,7 +238,7 @@ async def test_a_tape_that_is_not_there_is_named(room: Room, pilot: Pilot[None])
 @scene()
 async def test_enter_takes_the_tape_whose_name_stands_on_the_line(room: Room, pilot: Pilot[None]) -> None:
     for keys, name in (
-        ("up enter", "ellipse.asc"),
+        ("x down up enter", "ellipse.asc"),
         ("x up up enter", "circle.asc"),
         ("down backspace b i n full_stop r i m enter", "bin.rim"),
         ("e i a full_stop p a l enter", "eia.pal"),
@@ -248,6 +276,11 @@ async def test_ctrl_c_is_the_stop_key(room: Room, pilot: Pilot[None]) -> None:
     await press(pilot, "ctrl+c")
     assert not session.machine.panel.lamps.run
     assert session.said.startswith("stopped before")
+    before = session.machine.instructions
+    await press(pilot, "b")
+    assert session.machine.instructions == before - 1
+    await press(pilot, "z")
+    assert session.machine.elapsed == 0
     room.set_focus(None)
     await press(pilot, "ctrl+c")
     assert not room._notifications

@@ -1,6 +1,7 @@
 """The operator's time, without a terminal: hands, paces, lamps, tapes."""
 
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,8 @@ def load_address(session: Session, address: int) -> None:
 
 def test_the_hands_press_a_key_every_tenth_of_a_second(session: Session) -> None:
     session.toggle_rim()
+    session.advance(0)
+    assert session.machine.ma == 0o7756
     session.advance(0.05)
     assert (session.machine.ma, session.machine.core[0o7756]) == (0o7756, 0)
     session.advance(0.1)
@@ -178,3 +181,36 @@ def test_files_of_the_same_names_change_nothing_in_the_room(
     here = opening(clock=lambda: 0.0)
     assert here[0].tapes == there[0].tapes
     assert [program.words for program in here[1]] == [program.words for program in there[1]]
+
+
+@pytest.mark.parametrize(("took", "turned"), [(0.002, 2), (0.004, 1), (0.007, 1), (0.008, 0.5)])
+def test_a_slice_takes_some_milliseconds(took: float, turned: float) -> None:
+    session = counting(count(0, took).__next__)
+    for began, after in ((0.001, 0.001 * turned), (1e-4, 1e-4 * max(turned, 1))):
+        session._slice = began
+        session.advance(1e-6)
+        assert session._slice == after
+
+
+def test_the_keys_are_dead_and_sing_step_is_not_while_the_machine_runs(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("pdp8.console.session.randrange", lambda greatest: greatest - 1)
+    session = counting()
+    session.press("exam")
+    assert session.said == "the machine runs: all keys but STOP are dead"
+    session.press("cont")
+    assert session.said == "running"
+    took = []
+    for switch in ("mem_prot", "sing_step"):
+        before = session.machine.processor.clock
+        session.lock(switch)
+        took.append(session.machine.processor.clock - before)
+    assert (took[0], took[1] > 0) == (0, True)
+
+
+def test_a_tape_torn_off_takes_the_place_of_one_of_its_name(session: Session) -> None:
+    session.tapes = [Tape("a", b"1"), Tape("b", b"2")]
+    session.machine.teletype.punch.frames += b"3"
+    session.tear_off("a")
+    assert session.tapes == [Tape("b", b"2"), Tape("a", b"3")]
