@@ -33,7 +33,9 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     ]
     row = page.locator("[aria-label='Drive 0']")
     assert row.inner_text().strip().startswith("0: own.tu56, block 00")
-    page.evaluate("workbench.drives.control.drives[0].write(5, 1, 0o1234)")
+    for block, said in ((6, "1 block"), (5, "2 blocks")):
+        page.evaluate(f"workbench.touch(() => workbench.drives.control.drives[0].write({block}, 1, 0o1234))")
+        until(page, f"document.getElementById('reels').textContent.includes('at rest, {said} written')")
     with page.expect_download() as saved:
         page.locator("[aria-label='Drive 0'] [data-click='drives.save']").click()
     image, _ = decode(saved.value.path().read_bytes())

@@ -137,8 +137,10 @@ _MODIFIED = """() => {
     "End", "Enter", "Escape", "Backspace", "F9"];
   const places = ["body", "#computer .rocker", "#computer .words button", "#time button", "[role=tab]",
     "#paper", "#core", "#blocks", "#drill"];
-  const taken = [];
-  for (const place of places) for (const key of keys) for (const more of ["altKey", "metaKey", "ctrlKey"]) {
+  const taken = [], all = places.flatMap((place) => keys.flatMap((key) =>
+    ["altKey", "metaKey", "ctrlKey"].map((more) => [place, key, more])));
+  for (const key of ["F5", "Shift", "é", "Tab"]) all.push(["#paper", key, "shiftKey"]);
+  for (const [place, key, more] of all) {
     const at = document.querySelector(place), before = state();
     if (place === "#paper" && more === "ctrlKey" && /^[a-z]$/i.test(key)) continue; // a control character
     const pressed = { key, [more]: true, bubbles: true, cancelable: true };
@@ -150,7 +152,7 @@ _MODIFIED = """() => {
 
 
 def test_a_key_with_a_modifier_is_the_browsers(page: Page) -> None:
-    """Alt with an arrow goes back, Ctrl with a digit to another tab: the page does nothing."""
+    """Alt with an arrow goes back, Ctrl with a digit to another tab; nor has a Teletype F5 or é."""
     assert page.evaluate(_MODIFIED) == []
 
 
