@@ -5,6 +5,7 @@ import json
 import subprocess
 from collections import Counter
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -70,3 +71,65 @@ def test_models_are_those_that_do_the_same(vectors: Vectors) -> None:
     assert words["8/L"] == words["8/I"] == set(GROUPS["opr1"])
     assert words["8/L"] - words["8/E"] == {w for w in GROUPS["opr1"] if w & 0o14 == 0o14 or w & 0o16 == 0o2}
     assert {0o7005, 0o7011, 0o7014} <= words["8/L"] - words["8"]
+
+
+VECTOR: dict[str, Any] = {
+    "name": "7000 1", "models": ["8/L"], "instructions": 1, "ticks": 32,
+    "initial": {"pc": 0o200, "ram": [[0o200, 0o7000]]},
+    "final": {"pc": 0o201, "ac": 5, "ram": [[0o200, 0o7000]]},
+    "cycles": [["FETCH", 0o200, 0o7000]],
+}  # fmt: skip
+FLAGS = {"initial": VECTOR["initial"] | {"flags": [1, 2]}}
+HANDS = {"hands": [{"hand": "load_add", "value": 0, "lamps": {"ma": 0o200, "run": 0}}]}
+EVENTS = {"events": [{"at": 0, "key": 1}, {"at": 5, "flag": 1}], "initial": {}}
+
+
+def emulator(**more: Any) -> Any:
+    """Return an emulator whose one instruction is a NOP; it has no AC."""
+    core: dict[int, int] = {}
+    made = {
+        "set": lambda registers: None, "deposit": core.__setitem__, "examine": core.__getitem__,
+        "run": lambda instructions: None, "get": lambda: {"pc": 0o201, "ticks": 32},
+    }  # fmt: skip
+    return SimpleNamespace(**made | more)
+
+
+@pytest.mark.parametrize(
+    ("vector", "offers", "found"),
+    [
+        ({}, {}, ""),
+        ({"final": {"pc": 0o202, "ram": []}}, {}, "pc is 201, not 202"),
+        ({"ticks": 33}, {}, "ticks is 32, not 33"),
+        ({"final": {"ram": [[0o200, 0o7001]]}}, {}, "core 200 is 7000, not 7001"),
+        (FLAGS, {}, None),
+        (FLAGS, {"flag": lambda device: device == 1}, None),
+        (FLAGS, {"flag": lambda device: True}, ""),
+        ({}, {"cycle": lambda: ["FETCH", 0o200, 0o7000]}, ""),
+        ({}, {"cycle": lambda: ["DEFER", 0o200, 0o7000]}, "state of cycle 1 is DEFER, not FETCH"),
+        ({}, {"cycle": lambda: ["FETCH", 0o201, 0o7000]}, "MA of cycle 1 is 201, not 200"),
+        (HANDS, {}, None),
+        (HANDS, {"hand": lambda what, value: {"ma": 0o200}}, ""),
+        (HANDS, {"hand": lambda what, value: {"ma": 0o201}}, "ma after hand 1, load_add, is 201, not 200"),
+        (EVENTS, {}, None),
+        (EVENTS, {"play": lambda initial, inputs, ticks: EVENTS["events"]}, ""),
+        (EVENTS, {"play": lambda initial, inputs, ticks: inputs}, "1 events, not 2"),
+        (EVENTS, {"play": lambda initial, inputs, ticks: [{"at": 1}]}, "{'at': 1}, not {'at': 0, 'key': 1}"),
+    ],
+)
+def test_what_differs_is_said(vector: dict[str, Any], offers: dict[str, Any], found: str | None) -> None:
+    assert runner.play(VECTOR | vector, emulator(**offers)) == found
+
+
+def test_a_file_is_counted_by_model_and_said_by_words(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "own.json.gz"
+    words = [f"{0o7000 + number // 2:o} {number}" for number in range(42)]
+    some = [VECTOR, VECTOR | FLAGS, *(VECTOR | {"ticks": 33, "name": name} for name in words)]
+    file.write_bytes(gzip.compress(("[\n" + ",\n".join(map(json.dumps, some)) + "\n]\n").encode()))
+    assert runner.main(emulator(), [file], "8/E") == 0
+    assert runner.main(emulator(), [file]) == 1
+    first, second, *said = capsys.readouterr().out.splitlines()
+    assert first == "own.json.gz: 0 played, 0 differ in 0 words"
+    assert second == "own.json.gz: 43 played, 42 differ in 21 words"
+    assert said == [f"  {name}: ticks is 32, not 33" for name in words[::2][: runner.SHOWN]]

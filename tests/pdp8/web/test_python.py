@@ -5,13 +5,17 @@ import hashlib
 import json
 import re
 import zlib
+from dataclasses import replace
 from importlib.util import find_spec
+from math import dist
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import nc
 import pal
+from nc.inspection import inspect
 from pdp8 import shelf
 from pdp8.lessons.course import COURSE
 from pdp8.replay import replay
@@ -317,3 +321,16 @@ def test_the_fields_of_a_part() -> None:
     [expression] = [each for each in declared["curve"]["options"] if each["name"] == "expression"]
     assert expression["required"]
     assert "default" not in expression
+
+
+@pytest.mark.parametrize(("wall", "radius"), [("outer", 2000), ("inner", 1500)])
+def test_a_wall_is_shown_where_it_is_worst(wall: str, radius: int) -> None:
+    """The thesis's circle: 1.75 in about (4, 4), cut with .5 in; 250 thousandths of it to either side."""
+    whole = inspect(nc.cut(shelf.read_bundled("circle.eia")))
+    of = replace(whole, readings=tuple(each for each in whole.readings if each.wall == wall))
+    found = record._wall(of)
+    assert dist(found["place"], (4000, 4000)) == pytest.approx(radius, abs=0.1)
+    for line, level in zip(found["lines"], (of.worst.lowest, of.worst.highest), strict=True):
+        for end in (line[0], line[-1]):
+            assert dist(end, (4000, 4000)) == pytest.approx(radius + level, abs=0.1)
+            assert dist(end, found["place"]) == pytest.approx(250 * radius / 1750, rel=0.03)
