@@ -254,8 +254,8 @@ class Day:
         name = f"{self.part}.asc"
         punched = len(self.machine.teletype.punch.tape)
         yield from self._read(name, self.tapes[name], "eia.pal", 0o200, Reason.TAPE_OUT)
-        lever = next(action.at for action in reversed(self.actions) if action.key == "lever")
-        self.minutes["translate"] = (self.now - lever) / TICKS_PER_SECOND / 60
+        lever = self.actions[-1]
+        self.minutes["translate"] = (self.now - lever.at) / TICKS_PER_SECOND / 60
         self.operator.stop()
         tape = self.machine.teletype.punch.tape[punched:]
         self.tapes[f"{self.part}.eia"] = tape

@@ -57,8 +57,8 @@ def _errors(afternoon: Afternoon, said: Thesis) -> Iterator[tuple[str, str | Non
     """Yield the walls' errors, trough to peak; for the circle also with its contour closed."""
     if afternoon.inspection is None:
         return
-    gap = afternoon.inspection.gap
-    yield "trough to peak at most, in", None if gap else said.worst, _worst(afternoon.inspection)
+    gap, open_ = afternoon.inspection.gap, not afternoon.inspection.curve.closed
+    yield "trough to peak at most, in", said.worst if open_ else None, _worst(afternoon.inspection)
     if afternoon.part == "circle" and (nominal := PARTS["circle"].nominal()):
         closed = against(machined(circle.part(close=True)), nominal)
         yield f"  the listing ends {inches(gap)} in short of its start; closed", said.worst, _worst(closed)

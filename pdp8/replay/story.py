@@ -81,10 +81,8 @@ def _measure(afternoon: Afternoon) -> str:
     if afternoon.part in _MEASURED:
         off = f"At worst {inches(worst.trough_to_peak)} inch, trough to peak, {worst.wall} wall"
         return f"{off}, where the contour is left open. The thesis measured {_MEASURED[afternoon.part]}."
-    seen = "Up close the curve is a staircase" if afternoon.inspection.stepwise else "The wall is measured"
-    return (
-        f"{seen}: at worst {inches(worst.trough_to_peak)} inch from trough to peak, on the {worst.wall} wall."
-    )
+    off = f"at worst {inches(worst.trough_to_peak)} inch from trough to peak"
+    return f"Up close the curve is a staircase: {off}, on the {worst.wall} wall."
 
 
 def _number(count: int) -> str:

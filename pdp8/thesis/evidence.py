@@ -57,7 +57,7 @@ class Row(NamedTuple):
     @property
     def is_of_the_thesis(self) -> bool:
         """Whether the thesis has, or had, this line."""
-        return self.kind not in ("ours", "none") and self != BLANK
+        return self.kind not in ("ours", "none")
 
 
 BLANK = Row("", "ours", "", "", "")
@@ -108,7 +108,7 @@ def _fortran_source(row: Row) -> str:
     statement, slash, note = row.ours.partition(" /")
     first, _, rest = statement.partition(" ")
     line = statement if rest[:1].isdigit() or first.endswith("C") else f"{first:<{_TAB}}{rest}"
-    if slash and not first.endswith("C"):
+    if slash:
         line = f"{line:<{_NOTE_COLUMN}}/{note}"
     return f"{line:<{_MARK_COLUMN - 1}} {_FORTRAN_MARKS.get(row.kind, '')}"
 

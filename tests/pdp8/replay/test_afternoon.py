@@ -82,20 +82,30 @@ def test_a_part_that_no_instrument_fits() -> None:
     assert drilled.acts[-1].outcome == "not inspected"
 
 
-def test_a_damaged_program_tape_stops_the_afternoon(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One hole too many in eia.bin: BIN halts with AC not 0, and the operator goes no further."""
+@pytest.mark.parametrize(
+    ("torn", "said"),
+    [
+        (False, r"BIN halted with AC \d{4}: the checksum of eia.bin is wrong"),
+        (True, r"BIN stopped at 7\d{3}: tape out"),
+    ],
+)
+def test_a_damaged_program_tape_stops_the_afternoon(
+    torn: bool, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One hole too many in eia.bin: BIN halts with AC not 0; or its end is lost: BIN waits for it."""
     mount = Operator.mount
 
     def damaged(operator: Operator, name: str, tape: bytes) -> None:
         if name == "eia.bin":
-            tape = tape[:100] + bytes([tape[100] ^ 1]) + tape[101:]
+            tape = tape[:100] + (b"" if torn else bytes([tape[100] ^ 1]) + tape[101:])
         mount(operator, name, tape)
 
     monkeypatch.setattr(Operator, "mount", damaged)
-    with pytest.raises(WorkError, match=r"BIN halted with AC \d{4}: the checksum of eia.bin is wrong"):
+    with pytest.raises(WorkError, match=said):
         replay("drill")
 
 
 def test_the_clock() -> None:
     said = {0: "1:00:00 pm", 59.99: "1:00:59 pm", 3600: "2:00:00 pm", 11 * 3600: "12:00:00 am"}
+    said |= {23 * 3600 - 1: "11:59:59 am", 23 * 3600: "12:00:00 pm"}
     assert {seconds: clock(int(seconds * TICKS_PER_SECOND)) for seconds in said} == said

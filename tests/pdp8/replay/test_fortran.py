@@ -5,12 +5,15 @@ from pathlib import Path
 
 import pytest
 
+import pal
 from pdp8 import shelf
-from pdp8.replay.fortran import Own, source
+from pdp8.computer.machine import Machine
+from pdp8.replay.fortran import Own, Session, source
 from programs.parts import PARTS
 from tapes import dectape
 from tapes.errors import WorkError
 from tests.conftest import Call
+from tests.pdp8.cli.test_console import PROMPT
 
 
 def test_the_three_changes_of_the_listing() -> None:
@@ -31,6 +34,28 @@ def test_a_tape_that_does_not_boot_is_named() -> None:
     with pytest.raises(WorkError, match=r"PS/8 on the DECtape is expected to type '\.'"):
         for _ in day.through():
             pass
+
+
+def test_a_session_waits_for_the_prompt_that_a_program_types() -> None:
+    """An asterisk, what is typed, CR and LF; then a program that never waits."""
+    machine = Machine()
+    machine.load(pal.assemble(PROMPT, dialect="pal8").words)
+    machine.start(0o200)
+    session = Session(machine)
+    with pytest.raises(WorkError, match=r"expected to type '\*'; idle after '\*'"):
+        list(session.until("*"))  # at the begin of a line
+    list(session.type("AB", "*"))
+    assert session.paper == "*AB\r\n*"
+    list(session.type("C"))
+    assert session.paper == "*AB\r\n*"
+    with pytest.raises(WorkError, match=r"expected to type '\.'; idle after '\*AB.*\*C"):
+        list(session.until("."))
+    machine.load({0o300: 0o2310, 0o301: 0o5300, 0o302: 0o5300})
+    machine.start(0o300)
+    slices = session.until(".", 25)
+    assert [next(slices), next(slices)] == [None, None]
+    with pytest.raises(WorkError, match="limit after"):
+        next(slices)
 
 
 def test_only_a_listing_of_the_thesis_goes_to_fortran(call: Call, tmp_path: Path) -> None:

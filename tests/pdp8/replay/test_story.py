@@ -6,7 +6,9 @@ import pytest
 
 from pdp8.cli.replay import REPLAYED
 from pdp8.replay import Afternoon, replay
+from pdp8.replay.figures import NOT_SAID, compare
 from pdp8.replay.story import story
+from tapes.quantities import inches
 
 
 def test_the_circles(circle: Afternoon) -> None:
@@ -36,3 +38,7 @@ def test_every_part_has_its_own(part: str) -> None:
     assert max(len(words) for _, words in told[1:]) <= 110
     assert any("circle" in words for _, words in told) == (part == "circle")
     assert not re.search(r"\b0 |nan|None", " ".join(words for _, words in told))
+    if afternoon.inspection:
+        (worst,) = (line for line in compare(afternoon) if line.figure == "trough to peak at most, in")
+        said = ".003 designed, .0028 measured (Ch. 8)" if part == "fluidic" else NOT_SAID
+        assert (worst.thesis, worst.replay[:5]) == (said, inches(afternoon.inspection.worst.trough_to_peak))
