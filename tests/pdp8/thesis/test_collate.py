@@ -84,6 +84,10 @@ def test_answers_turn_conjectures_into_readings(monkeypatch: pytest.MonkeyPatch)
         assert words == ["0340 1127 TAD MSP"]
         assert not re.search("CONJECTURE", evidence.source("circle.for"))
         assert [row.kind for row in evidence.table("eia.pal") if row.ours[:4] == "0340"] == ["read"]
+        (line,) = (line for line in facsimile("B").splitlines() if line.lstrip("[").startswith("Ø34Ø"))
+        assert "[" not in line
+        other = evidence.Row("106", "conjecture", "", "0341 7402 HLT", "")
+        assert collate.as_read(other, "eia.pal") == other
     finally:
         evidence.rows.cache_clear()
     assert settled("die's path")

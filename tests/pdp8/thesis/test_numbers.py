@@ -193,3 +193,19 @@ def test_pages_follow_each_other_through_the_ten_chapters() -> None:
     pages = [one.page for one in ALL]
     assert pages == sorted(pages)
     assert {one.chapter for one in ALL} == set(range(1, 11))
+
+
+@pytest.mark.parametrize(
+    ("said", "ours", "agrees"),
+    [
+        ("12 or more", 12, True), ("12 or more", 11.9, False), ("12", "12 or more", True),
+        ("11", "12 or more", False), ("many", "12 or more", False), ("12", "12 or less", False),
+        ("many", 3, False), ("3", None, False), ("100", 105, True), ("100", 105.1, False),
+        ("0.1", 0.149, True), ("0.1", 0.151, False), ("1", 1.4, False), ("7402_8", "7402", True),
+    ],
+)  # fmt: skip
+def test_when_ours_is_what_the_thesis_says(
+    said: str, ours: float | str | None, agrees: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("pdp8.thesis.numbers.value", lambda name: ours)
+    assert ALL[0]._replace(said=said, measure="own").agrees == agrees
