@@ -86,22 +86,35 @@ def test_a_title_says_no_unit_by_chance() -> None:
     assert not any("lengths" in note for note in read(b"Cam made in Germany\n1,2\n3,4\n").notes)
 
 
+NUMBERED = "the first column numbers the points: x and y are the next two"
+
+
 @pytest.mark.parametrize(
     ("text", "notes"),
     [
         ("sep=/\n1/2\n3/4\n5/1\n", []),
         ("P1;1;2\nP2;3;4\nP3;5;1\n", []),
-        ("1;1;2\n2;3;4\n3;5;1\n", ["the first column numbers the points: x and y are the next two"]),
+        ("1;1;2\n2;3;4\n3;5;1\n", [NUMBERED]),
         ("1,2\n3,4\nx,y\n5,1\n", []),
         ("# the x axis of it\n1 2\n3 4\n5 1\n", []),
         (
             "# made;by;hand\n1;1;2\n2;3;4\n3;5;1\n",
-            ["the first column numbers the points: x and y are the next two"],
+            [NUMBERED],
         ),
         (
             "Nr. 7;Blatt 2;Nocken\nP1;1;2\nP2;3;4\nP3;5;1\n",
             ["line 1: 'Nr. 7;Blatt 2;Nocken' is no point: skipped"],
         ),
+        ("1;2\n;;\n3;4\n5;1\n", []),
+        ("# x y\n1 1 2\n2 3 4\n3 5 1\n", []),
+        ("1;1;2\n2;3;4\n3;5;1\nA;B;C\n", ["line 4: 'A;B;C' is no point: skipped", NUMBERED]),
+        (
+            "Seite;Teil;Nocken;Werk\n1;2\n3;4\n5;1\n",
+            ["line 1: 'Seite;Teil;Nocken;Werk' is no point: skipped"],
+        ),
+        ("Seite;Teil\n1;2\n3;4\n5;1\n", ["line 1: 'Seite;Teil' is no point: skipped"]),
+        ("P1;1;2\n2;3;4\n3;5;1\n", []),
+        ("1;2;0\n3;4;0\n5;1;0\n", []),
         ("NACA\n 9. 9.\n\n" + " 0.5 0.1\n" * 18, ["line 1: 'NACA' is no point: skipped"]),
     ],
 )
@@ -109,6 +122,17 @@ def test_what_is_beside_the_points_is_said_or_skipped(text: str, notes: list[str
     found = read(text.encode())
     assert found.notes == notes
     assert found.places[:3] == [(1, 2), (3, 4), (5, 1)] or text.startswith("NACA")
+
+
+def test_units_and_columns_are_as_most_lines_have_them() -> None:
+    assert read(b"1 mm,2 mm\n3 mm,4 mm\n5 mm,1 mm\n").notes == ["lengths are in mm, as line 1 says"]
+    assert read(b"X;Y\nmm;mm\n1;2\n3;4\n5;1\n").notes == ["lengths are in mm, as line 2 says"]
+    assert read(b"1;1;2\n2;3;4\n").places == [(1, 1), (2, 3)]
+    assert read(b"1;2\n2;4\n3;5\n").places == [(1, 2), (2, 4), (3, 5)]
+    assert read(b"1,234;2\n3,456;4\n5,678;1\n").places == [(1.234, 2), (3.456, 4), (5.678, 1)]
+    for code in ("utf-16-le", "utf-16-be"):
+        assert read("1 2\n3 4\n5 1\n".encode(code)).places == [(1, 2), (3, 4), (5, 1)]
+    assert read("Нокен\n1 2\n3 4\n5 1\n".encode("utf-16")).places == [(1, 2), (3, 4), (5, 1)]
 
 
 def test_an_angle_and_a_radius_are_polar() -> None:
@@ -164,7 +188,9 @@ def test_a_unit_has_several_names_and_angles_two_signs() -> None:
         ("Seite;Teil;Nocken\n1;1;2\n2;3;4\n3;5;1\n", "line 1: which columns are x and y?"),
         ("n,x,y\n1,2,3\n2,3\n3,5,1\n", "line 3: '' is not the y of a point, '2,3'"),
         ("n,r,theta\n1,2,90\n2,3\n3,5,180\n", "line 3: '' is not the y of a point, '2,3'"),
-        ("n,r,theta\n1,2,90\n2,3,a\n3,5,180\n", "line 3: 'a' is not the y of a point"),
+        ("n,r,theta\n1,2,a\n2,3,90\n3,5,180\n", "line 2: 'a' is not the y of a point"),
+        ("1 kg,2\n3,4\n5,1\n", "line 1: '1 kg,2' is not x and y of a point"),
+        ("A;1;2\n2;3;4\n3;5;1\n4;0;0\n", "line 1: 'A;1;2' is not x and y of a point"),
         ("<svg/>", "it is XML or SVG: export the points as CSV"),
         ("  0\nSECTION\n", "it is a DXF drawing: export the points as CSV"),
         ("# O\no C\nv 0 0 0\nv 1 1 0\nl 1 2\n", "it is a mesh (OBJ): export the points as CSV"),
