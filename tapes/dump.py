@@ -79,7 +79,7 @@ def _drawn(lines: list[str]) -> bytes:
         row = line.partition("|")[2].partition("|")[0]
         if len(row) == 2 * _DRAWN + 1:
             row = "".join([row[at] for at in range(1, 2 * _DRAWN, 2)])
-        if not row and "|" not in line:
+        if "|" not in line:
             continue
         if len(row) != _DRAWN or row[5] != "." or (row[:5] + row[6:]).strip(" oO"):
             return b""
