@@ -61,12 +61,12 @@ class Feed:
         """The tapes that were never put in."""
         return ", ".join(map(called, self._names))
 
-    def look(self, now: int, halted: bool) -> None:
+    def look(self, halted: bool) -> None:
         """Say once that the first frame came in unused: START sets READER RUN before a program clears it."""
         reader, receiver = self._reader, self._reader.device
         if self._looked or reader.position != 1 or not isinstance(receiver, Receiver):
             return
-        if receiver.flag or (receiver.step < receiver.edge and (halted or receiver.due <= now)):
+        if receiver.flag or (halted and receiver.step < receiver.edge):
             self._looked = True
             if self._quiet or has_leader(reader.tape):
                 return

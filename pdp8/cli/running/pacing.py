@@ -112,7 +112,7 @@ def run(
             for now in _slices(machine, last, shortest, longest, () if traced else (_FIRST_FRAME,)):
                 ended = now
                 send(outputs)
-                feed.look(machine.ticks, now.reason is Reason.HALT)
+                feed.look(now.reason is Reason.HALT)
                 bar.show(reader.position)
                 if interrupt.pressed:
                     machine.stop()

@@ -187,7 +187,7 @@ def test_a_feed_of_no_tapes_says_nothing_of_a_first_frame(capsys: pytest.Capture
         feed = Feed(machine.teletype.reader, names)
         for _ in range(2):
             with click.Context(click.Command("run")):
-                feed.look(machine.ticks, False)
+                feed.look(False)
         assert capsys.readouterr().err.count("the first frame") == said
 
 
