@@ -36,6 +36,7 @@ def empty() -> dectape.Image:
 def test_a_text_is_packed_three_characters_in_two_words() -> None:
     """A B C of mark parity: 0301 0302 0303 are 6301 1702, after them CR LF ^Z."""
     assert os8.frames([0o101, 0o102]) == b"AB\0", "not ended by ^Z"
+    assert os8.frames(os8.pack(b"")) == b""
     packed = os8.from_text("ABC\n")
     assert [f"{word:04o}" for word in packed[:4]] == ["6301", "1702", "4615", "5212"]
     assert os8.text(packed) == "ABC\n"
@@ -102,6 +103,35 @@ def test_the_first_additional_word_of_an_entry_is_its_date(more: tuple[int, ...]
     assert (free.name, free.block, free.length) == ("", BLOCK + 2, FREE - 2)
 
 
+def test_a_free_place_has_no_date() -> None:
+    before, *_ = os8.directory(formatted(-2, BLOCK, 0, 0, -1, 0, -5, 0o0101, 0o0101, 0o0101, 0, 0, -1))
+    assert before == os8.Entry("", BLOCK, 5, 0)
+
+
+def test_what_is_there_instead_of_a_file_is_said() -> None:
+    for names, said in (
+        ("", "no file"),
+        ("ABCDEFGH", "A, B, C, D, E, F, G, H"),
+        ("ABCDEFGHI", "H and 1 more"),
+    ):
+        image = empty()
+        for name in names:
+            image = os8.insert(image, name, [0])
+        with pytest.raises(TapeError, match=f"{said}$"):
+            os8.words(image, "X.PA")
+    assert "opened" not in os8.listing(formatted(-2, BLOCK, 0, 0, -256, 0, 0, 0, -FREE)), (
+        "a place of no block"
+    )
+
+
+def test_a_free_place_within_a_full_segment_begins_no_other() -> None:
+    files = [
+        word for number in range(41) for word in (0o0101 + number % 26, number // 26 + 1 << 6, 0, 0, 0, -1)
+    ]
+    with pytest.raises(TapeError, match="segment 1 of the directory is full"):
+        os8.insert(formatted(-42, BLOCK, 0, 0, -1, 0, -5, *files), "NEW", [0])
+
+
 def test_a_segment_is_full_to_its_last_word() -> None:
     assert len(os8.directory(formatted(-124, *FULL))) == 124
     files = [word for number in range(48) for word in (0o0101 + number % 26, number // 26 + 1 << 6, 0, 0, -1)]
@@ -124,6 +154,7 @@ def test_a_file_may_fill_the_free_place() -> None:
         (formatted(-1, BLOCK, 0, 0, -1, 0, -FREE - 1), "entry 1, a free place of 731 blocks from block 7 on"),
         (formatted(-1, BLOCK, 0, 0, -1, 0o4141, 0, 0, 0, 0, -1), r"entry 1, \.|entry 1, !!"),
         (formatted(-126, BLOCK, 0, 0, -1), "has 126 entries"),
+        (formatted(-1, BLOCK, 0, 0, -257, 0, -FREE), "has 1 entries from block 7 on"),
         (formatted(-1, 737, 0, 0, -1, 0, -1), "entry 1, a free place of 1 block from block 1341 on"),
         (formatted(-1, 738, 0, 0, -1, 0, -1), "has 1 entries from block 1342 on"),
         (formatted(-1, BLOCK, 0, 0, -1, 0o0140, 0o0200, 0, 0, 0, -1), "entry 1, A B of 1 block"),
