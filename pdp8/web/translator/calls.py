@@ -32,7 +32,7 @@ _AT_ONCE = (
 """Functions that take all of a generator before anything else happens: it is written as a list."""
 _UNORDERED = ("set", "frozenset", "sorted", "sum")
 """Functions within which a generator may run over a set: its order does not matter."""
-_KINDS = ("int", "float", "bool", "str", "list", "tuple", "bytes", "bytearray", "dict", "slice")
+_KINDS = ("int", "float", "bool", "str", "list", "tuple", "bytes", "bytearray", "dict")
 _UNSURE = {
     "int": {"float", "real", "?"},
     "float": {"int", "word", "real", "?"},
@@ -151,7 +151,7 @@ class Calls(Expressions):
         """Return the least or the largest of several arguments."""
         if any(isinstance(each, ast.Starred) for each in node.args):
             return ""
-        if set(kinds) <= {*WHOLE} and not (self.checked and any(map(self._is_large, node.args))):
+        if set(kinds) <= {*WHOLE} and not any(map(self._is_large, node.args)):
             return f"Math.{name}({self.all(node.args)})"
         kind = self._joined(node.args)
         self.orderable(node, kind, kind)
@@ -173,7 +173,7 @@ class Calls(Expressions):
             if not found or not (found.is_class or (name in _KINDS and not found.ours)):
                 self.fail(node, f"isinstance of {name}")
             ours = found.ours
-            if ours and (found.is_enum or found.kind in self.program.protocols):
+            if found.is_enum or found.kind in self.program.protocols:
                 self.fail(node, f"isinstance of {name}")
             is_tuple = name in ("tuple", "list") and any(self.parts(Type(one)) is not None for one in names)
             if is_tuple or names & _UNSURE.get(name, set()):
@@ -263,7 +263,7 @@ class Calls(Expressions):
         at_once = found is not None and not ours and leaf(node.func) in _AT_ONCE
         values = [self._argument(each, leaf(node.func) if at_once else "") for each in node.args]
         parameters = self.program.signature(found)
-        if found and ours:
+        if found:
             self._typed(node, found)
         starred = [at for at, each in enumerate(node.args) if isinstance(each, ast.Starred)]
         places = [each.name for each in parameters or [] if each.how in ("", "/")]
@@ -311,13 +311,13 @@ class Calls(Expressions):
         forms = self.program.variants(found) if found.is_function else [found]
         pairs = [self.paired(each, node) for each in forms]
         fitting = next((each for each in pairs if each is not None), None)
-        if fitting is None and not any(isinstance(each, ast.Starred) for each in node.args):
+        if fitting is None:
             parameters = [each for form in forms for each in self.program.signature(form) or []]
             names = {each.name for each in parameters}
             if "**" not in {each.how for each in parameters} and {each.arg for each in node.keywords} - names:
                 self.refuse(node, "keywords that are no parameters")
             self.refuse(node, "too many arguments, or too few")
-        if found.is_class and found.fields is not None:
+        if found.fields is not None:
             for value, field in fitting or []:
                 self.accept(value, self.annotated(field.annotation, field.module))
 

@@ -94,9 +94,9 @@ def arithmetic(operator: ast.operator, left: Type, right: Type) -> Type:
         if of.name == "tuple":
             return Type("row", (item_of(of),))
         return of if of.name in ("str", "bytes", "list", "row") else ANY
-    if isinstance(operator, ast.Add) and left.name == right.name == "tuple":
+    if left.name == right.name == "tuple":
         return Type("tuple", left.of + right.of)
-    if isinstance(operator, ast.Add) and {left.name, right.name} <= {"tuple", "row"}:
+    if {left.name, right.name} <= {"tuple", "row"}:
         return Type("row", (join(item_of(left), item_of(right)),))
     if left.name == "Fraction":
         return left

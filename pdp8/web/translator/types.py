@@ -83,7 +83,7 @@ def _merged(one: Type, other: Type) -> Type | None:
         return Type("tuple", tuple(map(join, one.of, other.of)))
     if names <= {"tuple", "row"}:
         return Type("row", (join(*one.of, *other.of),))
-    if len(names) == 1 and one.name != "call":
+    if len(names) == 1:
         return Type(one.name, tuple(map(join, one.of, other.of)))
     return None
 
@@ -97,7 +97,7 @@ def widened(kind: Type) -> Type:
     """Return the type of an attribute or item whose first value has type `kind`, and which may change."""
     if kind == WORD:
         return INT
-    return Type(kind.name, tuple(map(widened, kind.of))) if kind.of and kind.name != "call" else kind
+    return Type(kind.name, tuple(map(widened, kind.of)))
 
 
 def made(name: str, *of: Type) -> Type:
