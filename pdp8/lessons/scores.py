@@ -18,6 +18,7 @@ from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.marking import Failure, Mark, Result
 from tapes import errors
 from tapes.frames import draw
+from tapes.quantities import counted
 from tapes.text import lines_of
 
 if TYPE_CHECKING:
@@ -112,7 +113,8 @@ def _cut(text: str, start: int) -> str:
 def _tapes(what: str, expected: bytes, got: bytes) -> Iterator[str]:
     at = first_difference(expected, got)
     start, stop = max(0, at - _BEFORE), at + _AFTER + 1
-    yield f"{what}: {len(got):,} frames, {len(expected):,} expected; the first difference is frame {at}"
+    came = counted(len(got), "frames")
+    yield f"{what}: {came}, {len(expected):,} expected; the first difference is frame {at}"
     yield "   frame    expected               got"
     for number in range(start, min(stop, max(len(expected), len(got)))):
         mark = "  <--" if number == at else ""

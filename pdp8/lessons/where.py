@@ -20,6 +20,7 @@ from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Trial
 from pdp8.lessons.marking import Failed
 from pdp8.lessons.trial import Tried, last, turns
+from tapes.quantities import counted
 
 _MOST = 1_000_000
 """Memory cycles in which the place is looked for, those of waiting loops apart."""
@@ -121,7 +122,7 @@ def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
 
 def _text(value: str | bytes) -> str:
     """Return what was expected or found, in words."""
-    return value if isinstance(value, str) else f"{len(value)} frames"
+    return value if isinstance(value, str) else counted(len(value), "frames")
 
 
 def standing(answer: Answer, whole: Trial, number: int) -> Machine:

@@ -47,7 +47,7 @@ UNDER_WAY = "a character is sent while the one before is still under way"
         ("tape='A'", f"\tIAC\n{PRINT}", 0o203, FIRST_WRONG.format(1)),
         ("page='AB'", f"{PRINT}\n{PRINT}", 0o205, FIRST_WRONG.format(2)),
         ("tape='AA'", f"\tTLS\n{PRINT}", 0o203, UNDER_WAY),
-        ("tape='AA'", PRINT, 0o205, "it ends, the tape: 1 frames"),
+        ("tape='AA'", PRINT, 0o205, "it ends, the tape: 1 frame"),
         ("instructions=2", "", 0o202, "it ends, instructions: 3"),
         ("core={B=2}\n[[case.again]]\ncore={B=2}", "\tCLA\n\tISZ B\n\tISZ B", 0o204,
          "B becomes 0004; 0002 is wanted"),
