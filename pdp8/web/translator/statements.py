@@ -12,8 +12,6 @@ from pdp8.web.translator.expressions import named
 from pdp8.web.translator.program import Found, own
 from pdp8.web.translator.types import (
     ANY,
-    BOOL,
-    NUMBERS,
     WHOLE,
     Type,
     either,
@@ -127,7 +125,7 @@ class Statements(Calls):
     def _right(self, target: ast.expr, value: ast.expr) -> str:
         """Return what is assigned; refuse another type than the target has."""
         text = self.e(value)
-        if isinstance(target, ast.Attribute | ast.Subscript) and not self.trusted:
+        if isinstance(target, ast.Attribute | ast.Subscript):
             held, self.held = self.held, {}
             wanted = widened(self.infer(target))
             self.held = held
@@ -194,7 +192,7 @@ class Statements(Calls):
     def _counted_in(self, source: ast.expr) -> tuple[str, str, str] | None:
         """Return the counter of a loop over a range, its assignments before it, its end; None for others."""
         match source:
-            case ast.Call(ast.Name("range"), [_] | [_, _], []) if "range" not in self.scope:
+            case ast.Call(ast.Name("range"), [_] | [_, _], []):
                 first, last = source.args if len(source.args) == 2 else (ast.Constant(0), *source.args)
                 found = self.found(source.func)
                 if not found or found.ours or not all(self.infer(each) in WHOLE for each in (first, last)):
@@ -224,9 +222,9 @@ class Statements(Calls):
         self.declared = self.parameters(node)
         given = {*self.declared, *outside}
         self.declared |= {ast.unparse(each.target): self.annotated(each.annotation) for each in notes}
-        self.returns = ANY if star or node.returns is None else self.annotated(node.returns)
+        self.returns = self.annotated(node.returns)
         self.loops, self.catching = [], False
-        if star and "contextmanager" not in of.marks:
+        if "contextmanager" not in of.marks:
             self._lazy(body)
         with self.naming(self.parameters(node)):
             scope = self.scope.maps[0]
@@ -342,8 +340,7 @@ class Statements(Calls):
         """Return `target += value`; what leads to the target is evaluated once."""
         before, target = self._once(target)
         kind = without_none(self.infer(target))
-        if isinstance(target, ast.Name | ast.Attribute) and kind in (*NUMBERS, BOOL):
-            self._accept_number(node, target)
+        self._accept_number(node, target)
         if kind.name not in ("list", "bytearray", "set", "dict"):
             return [
                 *before,
@@ -358,11 +355,11 @@ class Statements(Calls):
         by = self.iterated(value) if is_list else self.e(value)
         return [*before, self.put(target, f"$.grown({self.e(target)}, {by}, $.{'add' if is_sum else 'or_'})")]
 
-    def _accept_number(self, node: ast.AugAssign, target: ast.Name | ast.Attribute) -> None:
+    def _accept_number(self, node: ast.AugAssign, target: ast.expr) -> None:
         """Refuse `n /= 2` where n is annotated an int."""
         wanted = self.declared.get(target.id) if isinstance(target, ast.Name) else self.infer(target)
         result = self.infer(ast.copy_location(ast.BinOp(target, node.op, node.value), node))
-        if wanted in WHOLE and result not in (*WHOLE, BOOL):
+        if wanted in WHOLE and result not in WHOLE:
             self.refuse(node, f"{result} where {wanted} is annotated")
 
     def _once(self, target: ast.expr) -> tuple[list[str], ast.expr]:
