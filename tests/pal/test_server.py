@@ -175,8 +175,8 @@ V=300
 / b>
 \tTEXT '<'
 \tTEXT '>'; BSW
-IFZERO 0 <
-\tCLA
+IFZERO 0 < /C
+\tTEXT 'A' >
 >
 >
 Q=R
@@ -188,8 +188,8 @@ def test_a_document_knows_what_is_no_code_and_what_is_not_defined() -> None:
     known = one(MARKED, "pal8")
     assert [each.name for each in known.definitions] == ["SUB", "V"], "Q gets no value"
     assert [(each.entry.name, each.first, each.last) for each in known.routines] == [("SUB", 4, 4)]
-    assert known.folds(0) == [(0, 16, False), (11, 13, False), (7, 8, True)]
-    places = [(3, 8), (7, 2), (9, 9), (10, 9), (10, 10), (17, 0)]
+    assert known.folds(0) == [(0, 16, False), (11, 12, False), (7, 8, True)]
+    places = [(3, 8), (7, 2), (9, 9), (10, 9), (10, 10), (18, 0)]
     assert [bool(known.completions(0, *at)) for at in places] == [True, False, False, False, True, True]
     tokens = {MARKED.split("\n")[at.line][at.start : at.end]: kind for at, kind, _ in known.tokens(0)}
     assert (tokens["NIX"], tokens["V"], tokens["HLT"]) == ("function", "variable", "keyword")
