@@ -97,7 +97,7 @@ class Assigned:
         match node:
             case ast.Name(name, ast.Load()) if name in self._local - known:
                 self._expressions.fail(node, "it may have no value here")
-            case ast.Name() | ast.FunctionDef() | ast.Lambda() | ast.ClassDef():
+            case ast.Lambda():
                 pass
             case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
                 inner = known
@@ -130,9 +130,11 @@ def _both(one: _Names, other: _Names) -> _Names:
 
 
 def _set_in(node: ast.AST) -> frozenset[str]:
-    """Return the names that a target or a plain statement sets."""
+    """Return the names that a target or a plain statement sets; a comprehension's are its own."""
+    inner = [each.target for each in ast.walk(node) if isinstance(each, ast.comprehension)]
+    own = {*ast.walk(node)}.difference(*map(ast.walk, inner))
     return frozenset(
-        each.id for each in ast.walk(node) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+        each.id for each in own if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
     )
 
 
