@@ -15,6 +15,7 @@ import { html, put } from "../html.mjs";
 import { find, grouped, octal } from "../written.mjs";
 import { Counts } from "./counts.mjs";
 import { keep, kept } from "./store.mjs";
+import { modified } from "./wiring.mjs";
 
 const LONGEST = 200_000; // characters of a source that is taken
 const SHORT = 2000; // characters that a browser pastes by itself
@@ -240,7 +241,7 @@ export class Editor {
     /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.name, text: this.text };
     /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();
     /** @type {Map<number, number>} */ this.lineAt = new Map(places.map(([line, address]) => /** @type {[number, number]} */ ([address, line])).reverse());
-    for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
+    for (const [line, address, word] of places) if (address < CORE && !this.places.has(line)) this.places.set(line, { address, word });
     /** @type {Map<number, Note>} */ this.wrong = new Map(diagnostics.map((each) => /** @type {[number, Note]} */ ([each.line, each])).reverse());
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
       const [first, ...rest] = whole.split("\n");
@@ -294,7 +295,7 @@ export class Editor {
     const place = this.places.get(line);
     const classes = `line${line === this.now ? " now" : ""} ${this.wrong.get(line)?.severity ?? ""}`;
     const current = line === this.now ? html` aria-current="true"` : "";
-    if (!place || place.address >= CORE) return html`<div class="${classes}" role="listitem"><span>${line}</span></div>`;
+    if (!place) return html`<div class="${classes}" role="listitem"><span>${line}</span></div>`;
     const { address, word } = place;
     const set = this.bench.machine.watch.breakpoints.has(address);
     const count = find("counts").checked ? html`<i>${grouped(this.counts.executed[address])}</i>` : "";
@@ -337,12 +338,12 @@ export class Editor {
       event.preventDefault();
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.changed();
-    } else if (key.length === 1) this.#write(true);
-    if (event.key === "F9") {
+    } else if (key.length === 1 && !modified(event)) this.#write(true);
+    if (key === "F9") {
       const place = this.places.get(this.text.slice(0, this.area.selectionStart).split("\n").length);
       if (place) this.#breakpoint(place.address);
     }
-    if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.run();
+    if (key === "Enter" && (event.ctrlKey || event.metaKey)) this.run();
   }
 
   /** Assemble what is there; return whether it has no errors. */

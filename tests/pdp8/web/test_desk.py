@@ -70,6 +70,36 @@ def test_a_long_text_is_pasted_at_once(page: Page) -> None:
     assert "200\u202f000 are allowed" in page.locator("#next").inner_text()
 
 
+_KEYS = """([text, ...pressed]) => {
+  const { editor, machine } = workbench, source = document.getElementById("source"), seen = [];
+  editor.put("keys.pal", text);
+  editor.assemble();
+  const run = editor.run;
+  editor.run = () => seen.push("ran");
+  for (const [key, line, more] of pressed) {
+    const at = text.split("\\n").slice(0, line).join("\\n").length, on = { bubbles: true, cancelable: true };
+    source.setSelectionRange(at, at);
+    source.emit?.("keydown", { key, [more]: true, ...on })
+      ?? source.dispatchEvent(new KeyboardEvent("keydown", { key, [more]: true, ...on }));
+    seen.push([key, editor.writing, ...machine.watch.breakpoints]);
+  }
+  editor.run = run;
+  return seen;
+}"""
+
+
+def test_keys_of_the_editor(page: Page) -> None:
+    """F9 at a line of a word in core; Enter runs with Ctrl or the command key; Tab is for who writes."""
+    pressed = [("Escape", 1, ""), *(("F9", line, "") for line in (1, 2, 5, 2, 3))]
+    pressed += [("c", 1, "ctrlKey"), ("v", 1, "metaKey"), ("b", 1, ""), ("Escape", 1, "")]
+    pressed += [("Enter", 1, more) for more in ("shiftKey", "ctrlKey", "metaKey")]
+    seen = page.evaluate(_KEYS, ["*200\n\tCLA!CLL\n\tHLT\nFIELD 1\n\tHLT\n$\n", *pressed])
+    points = [[], [], [0o200], [0o200], [], *([0o201] for _ in range(8))]
+    writes = [*[False] * 8, True, False, True, True, True]
+    found = [[key, on, *at] for (key, _, _), on, at in zip(pressed, writes, points, strict=True)]
+    assert seen == [*found[:11], "ran", found[11], "ran", found[12]]
+
+
 def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
     """The later one says so and keeps both; a third that only looks writes nothing."""
     page.evaluate("(text) => workbench.editor.put('mine.pal', text)", HALT)
@@ -77,9 +107,14 @@ def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
     for other in tabs:
         other.goto(page.url)
         until(other, "window.workbench?.editor?.name === 'mine.pal'")
+    says = "document.getElementById('program-says').textContent"
+    for tab in (tabs[0], page):  # both write the same
+        tab.locator("#source").fill(HALT + "/ same\n")
+        tab.evaluate("workbench.editor.keep()")
+        until(tab, "workbench.programs.get('mine.pal').includes('same')")
+        assert tab.evaluate("workbench.editor.name") == "mine.pal"
     tabs[0].locator("#source").fill(HALT + "/ first\n")
     until(tabs[0], "workbench.programs.get('mine.pal').includes('first')")
-    says = "document.getElementById('program-says').textContent"
     until(page, f"{says}.includes('mine.pal was changed in another tab')")
     page.locator("#source").fill(HALT + "/ second\n")
     until(page, "workbench.editor.name === 'mine 2.pal'")
