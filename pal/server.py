@@ -146,7 +146,7 @@ class Answers:
 
     def _closed(self, params: lsp.DidCloseTextDocumentParams) -> None:
         uri = params.text_document.uri
-        others = [tape for tape in self._workspace.tapes(uri) if tape != uri]
+        others = [tape for tape in self._workspace.tapes(uri) if tape != uri and tape in self._workspace.open]
         self._workspace.close(uri)
         self._server.text_document_publish_diagnostics(lsp.PublishDiagnosticsParams(uri, []))
         self._publish(others)

@@ -109,7 +109,7 @@ class Session:
 
     def _ended(self, stop: Stop) -> str:
         """Return how a run ended, and why where something is wrong."""
-        if stop.pc == self._explained_at:
+        if stop.pc == self._explained_at and stop.reason in ("idle", "tape out"):
             return self.said
         self._explained_at = stop.pc
         return told(stop, self.history, self.listing)[1]

@@ -148,7 +148,7 @@ class Debuggee:
                 for point in self.breakpoints.hit(machine)
                 if point.stops(machine.instructions, self.said)
             ]
-            if points:
+            if points and not self.launch.noDebug:
                 return _at(points)
             if self._goal is not None and self._goal.reached(machine):
                 return self.over() if self._goal.interrupt else Halt("step")

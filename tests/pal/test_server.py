@@ -228,10 +228,15 @@ class Asked:
     def __init__(self, **texts: str) -> None:
         self.answers: dict[str, Any] = {}
         self.published: list[str] = []
+        self.read: list[str] = []
         self.workspace = SimpleNamespace(root_path="/tmp")
-        workspace = Workspace("pal3", lambda uri: "")
+        workspace = Workspace("pal3", self._reads)
         workspace.open = {f"{FOLDER}/{name}.pal": Text(text) for name, text in texts.items()}
         server.Answers(cast(Any, self), workspace)
+
+    def _reads(self, uri: str) -> str:
+        self.read.append(uri)
+        return ""
 
     def text_document_publish_diagnostics(self, params: lsp.PublishDiagnosticsParams) -> None:
         self.published.append(params.uri.rpartition("/")[2] + "!" * len(params.diagnostics))
@@ -264,6 +269,15 @@ def test_what_an_editor_need_not_send() -> None:
     )
     asked(changed, content_changes=[insert])
     assert asked.published[2:] == ["a.pal!", "c.pal!"], "C's word lies on A's"
+
+
+def test_a_program_of_which_no_tape_is_open_any_more_is_not_read() -> None:
+    asked = Asked(a="*200\n\tHLT\n$\n")
+    programs = {"programs": [["/tmp/a.pal", "/tmp/b.pal"]]}
+    asked.answers[lsp.WORKSPACE_DID_CHANGE_CONFIGURATION](SimpleNamespace(settings=programs))
+    assert asked.read == [f"{FOLDER}/b.pal"]
+    asked(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    assert asked.read == [f"{FOLDER}/b.pal"]
 
 
 def test_another_dialect_is_offered_for_what_has_an_error() -> None:

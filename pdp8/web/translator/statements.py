@@ -224,7 +224,7 @@ class Statements(Calls):
         self.declared |= {ast.unparse(each.target): self.annotated(each.annotation) for each in notes}
         self.returns = self.annotated(node.returns)
         self.loops, self.catching = [], False
-        if "contextmanager" not in of.marks:
+        if star and "contextmanager" not in of.marks:
             self._lazy(body)
         with self.naming(self.parameters(node)):
             scope = self.scope.maps[0]

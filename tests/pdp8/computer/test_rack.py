@@ -51,7 +51,7 @@ def test_a_line_is_printed_in_a_fifth_of_a_second() -> None:
 
 
 def test_a_full_line_is_printed_by_the_character_behind_it() -> None:
-    """132 characters go into the buffer; capitals stand for small letters, from a to z alone."""
+    """132 characters go into the buffer; small letters are printed as capitals, from a to z only."""
     m = rack("1030 6664 6661 5202 6662 7200 2020 5200 7402 20/ 7573 30/ 172", printer := LP08())
     assert m.run(10).reason == "halt"
     assert (printer.paper, printer.column, m.elapsed < 0.05) == ("Z" * 133, 0, False)

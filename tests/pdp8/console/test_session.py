@@ -12,6 +12,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
+from tests.pdp8.computer.bench import core
 
 RIM_WORDS = dict(enumerate(RIM, 0o7756))
 
@@ -134,6 +135,22 @@ def test_sing_step_stops_a_running_machine_and_cont_goes_on() -> None:
     session.advance(0.05)
     assert session.said == "running"
     assert session.machine.instructions > count
+
+
+def test_a_halt_is_said_where_a_wait_was() -> None:
+    """At 0201 it waits for a key, and PC has 0201 too behind the HLT that the key leads to.
+
+    First it counts, while the slices grow: one slice takes the key in and ends at the HLT.
+    """
+    session = Session(Machine(), clock=lambda: 0.0)
+    session.machine.load(core("7402 6031 5201 5200 2010 5204 2011 5204 5201 11/ 7700"))
+    session.machine.start(0o204)
+    session.speed = 1000
+    session.advance(1)
+    assert session.said == "the program waits for a key at 0201"
+    session.machine.teletype.keyboard.press(b"A")
+    session.advance(1)
+    assert (session.said, session.machine.pc) == ("HLT at 0200", 0o201)
 
 
 def test_mem_prot_is_said(session: Session) -> None:

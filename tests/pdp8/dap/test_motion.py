@@ -24,10 +24,10 @@ from pdp8.monitor.prompt import Monitor
 FOLDER = Path(__file__).parent
 
 
-def began(source: str, folder: Path) -> Debuggee:
-    """Return what is debugged, stopped at 0200 as a debugger begins."""
+def began(source: str, folder: Path, **more: object) -> Debuggee:
+    """Return what is debugged, stopped at 0200 as a debugger begins; `more` of its configuration."""
     (folder / "x.pal").write_text(source)
-    return Debuggee(Launch.of({"program": str(folder / "x.pal")}), Breakpoints())
+    return Debuggee(Launch.of({"program": str(folder / "x.pal"), **more}), Breakpoints())
 
 
 def machine_with(name: str) -> Machine:
@@ -191,7 +191,19 @@ def test_the_places_that_a_subroutine_returns_to(words: dict[int, int], places: 
     assert motion.Goal(min(words)).places(machine) == places
 
 
-def test_a_machine_that_stands_says_at_what(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("undebugged", "kind"), [(True, "step"), (False, ADDRESSES)])
+def test_a_step_over_ends_at_a_breakpoint_unless_there_is_no_debugging(
+    undebugged: bool, kind: str, tmp_path: Path
+) -> None:
+    debuggee = began("*200\nJMS A\nHLT\nA,0\nJMP I A\n$\n", tmp_path, noDebug=undebugged)
+    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [("0201", {"name": "0201"})])
+    halt = debuggee.over()
+    while halt is None:
+        halt = debuggee.advance()
+    assert (halt.reason, debuggee.monitor.machine.pc) == (kind, 0o201)
+
+
+def test_a_machine_that_is_stopped_says_at_what(tmp_path: Path) -> None:
     debuggee = began("*200\nCLA\nHLT\n$\n", tmp_path)
     machine = debuggee.monitor.machine
     assert debuggee.stands() == Halt("pause")
