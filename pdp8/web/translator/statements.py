@@ -382,7 +382,7 @@ class Statements(Calls):
         match target:
             case ast.Attribute(of, name):
                 return before, ast.copy_location(ast.Attribute(simple(of), name, ast.Store()), target)
-            case ast.Subscript(of, index):
+            case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 return before, ast.copy_location(
                     ast.Subscript(simple(of), simple(index), ast.Store()), target
                 )

@@ -58,6 +58,7 @@ def test_a_class_of_another_module_by_its_dotted_name(tmp_path: Path) -> None:
         ("def f(a: str) -> str:\n    return a[::-1]\n", "2: a slice by steps"),
         ("X = f'{1:<5}'\n", "1: no translation of the format"),
         ("def f(a: list[int]) -> None:\n    a[1:] = []\n", "2: no translation"),
+        ("def f(a: list[int]) -> None:\n    a[1:] += []\n", "2: no translation: a[1:]; write an assignment"),
         ("class A(json.B):\n    pass\n", "1: such a base class"),
         ("def f(a: object) -> bool:\n    return isinstance(a, int | str)\n", "2: no translation"),
     ],
