@@ -110,6 +110,11 @@ class Terminal:
         seen, self.seen = self.seen, b""
         return seen
 
+    def shows(self, sequence: bytes) -> None:
+        """Read until an escape sequence was seen."""
+        self._read(lambda: sequence in self.seen)
+        assert sequence in self.seen, self.seen
+
     def type(self, keys: bytes) -> None:
         """Press keys."""
         os.write(self.file, keys)

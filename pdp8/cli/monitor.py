@@ -144,6 +144,9 @@ def _typed() -> Iterator[str]:
     while True:
         try:
             yield session.prompt("pdp8> ")
+        except SystemExit:  # a signal within the first drawing, which prompt_toolkit leaves as it is
+            session.app.renderer.reset()
+            raise
         except KeyboardInterrupt:
             continue
         except EOFError:

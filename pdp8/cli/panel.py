@@ -73,6 +73,4 @@ def panel(
         bin_tape, tape = session.tapes[:2]
         tapes = (bin_tape.name, programs[1].words), (tape.name, programs[2].words)
         coach = Coach(find(drill, tapes), session.machine, LEFT_ALONE if kiosk else None)
-    room = Room(session, programs, coach=coach)
-    room.run()
-    sys.exit(room.return_code)
+    sys.exit(Room(session, programs, coach=coach).operate())

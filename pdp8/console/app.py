@@ -98,6 +98,14 @@ class Room(App[None]):
         self.ticking = ticking
         self.shown_page = "listing" if session.machine.core[session.address] else "card"
         self._before = 0.0
+        self._signal = 0
+        self._turns: asyncio.AbstractEventLoop | None = None
+
+    def operate(self) -> int:
+        """Run until the panel is left or a signal ends it; return the exit status."""
+        self._take_signals()
+        self.run()
+        return self.return_code or 0
 
     def compose(self) -> ComposeResult:
         session = self.session
@@ -124,26 +132,35 @@ class Room(App[None]):
     def on_mount(self) -> None:
         self.query_one("#panel").focus()
         self._turn_pages()
+        self._turns = asyncio.get_running_loop()
+        if self._signal:
+            self._end()
         if self.ticking:
-            self._take_signals()
             self._before = perf_counter()
             self.set_interval(TURN, self._tick)
 
     def _take_signals(self) -> None:
         """End as a signal asks, with the terminal put back; at once if it is closed: Textual would wait."""
-        loop = asyncio.get_running_loop()
 
         def end(number: int, _: object) -> None:
             try:
                 os.get_terminal_size(0)
             except OSError:
                 os._exit(128 + number)
-            loop.call_soon_threadsafe(self.exit, None, 128 + number)
+            self._signal = number
+            if self._turns is not None:  # before, `on_mount` looks
+                self._turns.call_soon_threadsafe(self._end)
 
         for name in ("SIGINT", "SIGTERM", "SIGHUP"):
             number = getattr(signal, name, None)  # Windows has no SIGHUP, `nohup` ignores it
             if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
                 signal.signal(number, end)
+
+    def on_unmount(self) -> None:
+        self._turns = None
+
+    def _end(self) -> None:
+        self.exit(None, 128 + self._signal)
 
     def on_resize(self, event: events.Resize) -> None:
         small = event.size.width < SMALLEST[0] or event.size.height < SMALLEST[1]

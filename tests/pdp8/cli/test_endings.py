@@ -18,6 +18,14 @@ _MODES = (b"1049", b"1000", b"2004")
 """The second screen, the mouse, brackets around a paste: what is switched on is switched off."""
 
 
+def _assert_put_back(terminal: Terminal, seen: bytes) -> None:
+    assert terminal.restored()
+    for mode in _MODES:
+        assert seen.rfind(b"\x1b[?" + mode + b"l") >= seen.rfind(b"\x1b[?" + mode + b"h"), mode
+    assert seen.rfind(b"\x1b[?25h") >= seen.rfind(b"\x1b[?25l"), "the cursor is hidden"
+    assert b"Traceback" not in seen
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, 0])
 def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) -> None:
@@ -36,12 +44,20 @@ def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) ->
         terminal.process.send_signal(number)
         assert terminal.ended() == 128 + number
         seen += terminal.seen
-        assert terminal.restored()
-        for mode in _MODES:
-            assert seen.rfind(b"\x1b[?" + mode + b"l") >= seen.rfind(b"\x1b[?" + mode + b"h"), mode
-        assert b"Traceback" not in seen
+        _assert_put_back(terminal, seen)
     else:
         os.close(terminal.file)
         assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
     if name == "run":
         assert (tmp_path / "out.tape").read_bytes() == b"\xc1\xc2\xc3"
+
+
+@pytest.mark.parametrize(("name", "first"), [("monitor", b"\x1b[?2004h"), ("panel", b"\x1b[?1049h")])
+def test_a_signal_as_the_terminal_is_taken_over_puts_it_back(name: str, first: bytes, tmp_path: Path) -> None:
+    if name == "panel":
+        pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
+    terminal = Terminal("pdp8", *COMMANDS[name][0], folder=tmp_path, TERM="xterm-256color", LINES="30")
+    terminal.shows(first)
+    terminal.process.send_signal(signal.SIGTERM)
+    assert terminal.ended() == 128 + signal.SIGTERM
+    _assert_put_back(terminal, terminal.seen)
