@@ -78,12 +78,21 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(autouse=True)
-def no_command_outlives_its_test() -> Iterator[None]:
-    """End what a test that failed left: its open pipes would be another test's failure."""
+def nothing_outlives_its_test() -> Iterator[None]:
+    """End what a test that failed left: its open pipes would be another test's failure, so are these."""
+    before = _process()
     yield
     while commands.STARTED:
         with commands.STARTED.pop() as run:
             run.kill()
+    assert _process() == before, "the test leaves the process otherwise than it found it"
+
+
+def _process() -> tuple[object, ...]:
+    """Return what the tests of a process share: signals' handlers, the folder, the environment."""
+    names = "SIGINT", "SIGTERM", "SIGHUP", "SIGALRM", "SIGPIPE"
+    handlers = [signal.getsignal(getattr(signal, name)) for name in names if hasattr(signal, name)]
+    return handlers, os.getcwd(), {**os.environ, "PYTEST_CURRENT_TEST": ""}
 
 
 class Stream(io.TextIOWrapper):

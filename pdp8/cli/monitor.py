@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from typing import TYPE_CHECKING
 
 import click
@@ -145,7 +145,8 @@ def _typed() -> Iterator[str]:
         try:
             yield session.prompt("pdp8> ")
         except SystemExit:  # a signal within the first drawing, which prompt_toolkit leaves as it is
-            session.app.renderer.reset()
+            with suppress(OSError):  # the terminal is closed
+                session.app.renderer.reset()
             raise
         except KeyboardInterrupt:
             continue

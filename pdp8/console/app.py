@@ -11,6 +11,8 @@ The keys of the keyboard are the operator's hands at the panel, or, after TAB, f
 import asyncio
 import os
 import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, ClassVar
 
@@ -103,8 +105,8 @@ class Room(App[None]):
 
     def operate(self) -> int:
         """Run until the panel is left or a signal ends it; return the exit status."""
-        self._take_signals()
-        self.run()
+        with self._signals():
+            self.run()
         return self.return_code or 0
 
     def compose(self) -> ComposeResult:
@@ -139,7 +141,8 @@ class Room(App[None]):
             self._before = perf_counter()
             self.set_interval(TURN, self._tick)
 
-    def _take_signals(self) -> None:
+    @contextmanager
+    def _signals(self) -> Iterator[None]:
         """End as a signal asks, with the terminal put back; at once if it is closed: Textual would wait."""
 
         def end(number: int, _: object) -> None:
@@ -151,10 +154,17 @@ class Room(App[None]):
             if self._turns is not None:  # before, `on_mount` looks
                 self._turns.call_soon_threadsafe(self._end)
 
-        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)  # Windows has no SIGHUP, `nohup` ignores it
-            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-                signal.signal(number, end)
+        names = "SIGINT", "SIGTERM", "SIGHUP"
+        numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]  # Windows has no SIGHUP
+        before = {number: signal.getsignal(number) for number in numbers}
+        taken = [number for number in numbers if before[number] is not signal.SIG_IGN]  # by `nohup`
+        for number in taken:
+            signal.signal(number, end)
+        try:
+            yield
+        finally:
+            for number in taken:
+                signal.signal(number, before[number])
 
     def on_unmount(self) -> None:
         self._turns = None

@@ -1,5 +1,6 @@
 """How every command ends: by whatever is raised in it, and with a standard stream that its caller closed."""
 
+import importlib
 import os
 import signal
 import sys
@@ -58,7 +59,9 @@ def test_what_is_raised_is_said_in_a_line(
 def test_a_fault_of_the_program_is_shown_as_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whether or not the module is there that tells a device's."""
     for known in (True, False):
-        if not known:
+        if known:
+            importlib.import_module("pdp8.fitting")
+        else:
             monkeypatch.delitem(sys.modules, "pdp8.fitting")
         with pytest.raises(ZeroDivisionError):
             command.status(click.Command("own", callback=lambda: 1 // 0), "own", [])

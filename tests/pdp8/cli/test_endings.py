@@ -52,12 +52,19 @@ def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) ->
         assert (tmp_path / "out.tape").read_bytes() == b"\xc1\xc2\xc3"
 
 
+@pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize(("name", "first"), [("monitor", b"\x1b[?2004h"), ("panel", b"\x1b[?1049h")])
-def test_a_signal_as_the_terminal_is_taken_over_puts_it_back(name: str, first: bytes, tmp_path: Path) -> None:
+def test_it_ends_so_as_it_takes_the_terminal_over(
+    name: str, first: bytes, closed: bool, tmp_path: Path
+) -> None:
     if name == "panel":
         pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
     terminal = Terminal("pdp8", *COMMANDS[name][0], folder=tmp_path, TERM="xterm-256color", LINES="30")
     terminal.shows(first)
-    terminal.process.send_signal(signal.SIGTERM)
-    assert terminal.ended() == 128 + signal.SIGTERM
-    _assert_put_back(terminal, terminal.seen)
+    if closed:
+        os.close(terminal.file)
+        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
+    else:
+        terminal.process.send_signal(signal.SIGTERM)
+        assert terminal.ended() == 128 + signal.SIGTERM
+        _assert_put_back(terminal, terminal.seen)
