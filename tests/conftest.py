@@ -89,10 +89,10 @@ def nothing_outlives_its_test() -> Iterator[None]:
 
 
 def _process() -> tuple[object, ...]:
-    """Return what the tests of a process share: signals' handlers, the folder, the environment."""
+    """Return what the tests of a process share: signals' handlers and the folder."""
     names = "SIGINT", "SIGTERM", "SIGHUP", "SIGALRM", "SIGPIPE"
     handlers = [signal.getsignal(getattr(signal, name)) for name in names if hasattr(signal, name)]
-    return handlers, os.getcwd(), {**os.environ, "PYTEST_CURRENT_TEST": ""}
+    return handlers, os.getcwd()
 
 
 class Stream(io.TextIOWrapper):

@@ -198,6 +198,7 @@ def find(word: str) -> Command:
 def do(monitor: Monitor, line: str) -> None:
     """Carry out one line; blank lines and comments do nothing. Raises WorkError."""
     name, rest = command(line)
+    monitor.stopping = False
     if name:
         found = find(name)
         if found.name in _RUNS:

@@ -42,7 +42,6 @@ KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 _POSITIONS = {"1": True, "on": True, "0": False, "off": False}
 _NO_EAE = ("mq", "sc", "gtf")
 """Registers of SIMH's PDP-8/E."""
-_WHOLE_CORE = ("0:7777",)
 
 
 def examine(monitor: Monitor, place: str, *more: str) -> None:
@@ -255,6 +254,7 @@ def _points(monitor: Monitor, points: set[int], places: Sequence[str]) -> None:
 def forget(monitor: Monitor, *places: str) -> None:
     """Forget breakpoints and watched words at addresses, or all."""
     points = monitor.machine.watch
-    gone = {address for place in places or _WHOLE_CORE for address in monitor.range(place)}
+    given = {address for place in places for address in monitor.range(place)}
+    gone = given if places else points.breakpoints | points.writes
     points.breakpoints -= gone
     points.writes -= gone

@@ -174,7 +174,6 @@ def slices(monitor: Monitor, limit: float, longest: float = _SLICE) -> Iterator[
     """Run for `limit` seconds at most, in slices; change tapes, and press STOP when `monitor.stopping`."""
     machine = monitor.machine
     end = machine.ticks + round(limit * TICKS_PER_SECOND)
-    monitor.stopping = False
     while True:
         for stop in machine.slices((end - machine.ticks) / TICKS_PER_SECOND, GLANCE, longest):
             if stop.reason is Reason.TAPE_OUT and next_tape(monitor):
@@ -201,7 +200,6 @@ def wait(monitor: Monitor, time: str) -> None:
     """Let time pass: the program runs on if RUN is lit, else the Teletype ends what it has begun."""
     machine = monitor.machine
     end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
-    monitor.stopping = False
     if machine.panel.lamps.run:
         for _ in slices(monitor, seconds(time)):
             pass

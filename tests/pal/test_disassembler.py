@@ -146,3 +146,13 @@ $
         *("SUB,\t0", "ISZ C", "JMP I SUB", "HLT", "K,\t7402", "C,\t1200", "$"),
     ]
     assert "K,\tHLT" not in disassemble(assembly.words, assembly.symbols)
+
+
+def test_what_a_skip_passes_over_to_is_code() -> None:
+    """Each is before a JMP, and what is behind that is reached by a skip alone."""
+    passing = 0o7410, 0o7440, 0o7450, 0o7420, 0o7500, 0o7610, 0o6031, 0o2300
+    plain = 0o7400, 0o7600, 0o7404, 0o6032, 0o7010, 0o7411, 0o3300
+    for word in passing + plain:
+        with case(f"{word:o}"):
+            core = {0o200: word, 0o201: 0o5200, 0o202: 0o7001}
+            assert ("IAC" in disassemble(core, {}, [0o200])) == (word in passing)

@@ -200,6 +200,13 @@ def test_a_document_knows_what_is_no_code_and_what_is_not_defined() -> None:
     assert [[each.code for each in two.found(tape)] for tape in (0, 1)] == [["UA"], []]
 
 
+def test_a_new_name_is_what_its_first_six_characters_are() -> None:
+    source = one("*200\nCOUNTA,\t0\nB,\tTAD COUNTA\n$\n")
+    assert source.refusal("B", "COUNTAX") == "COUNTA is taken: it is in line 2"
+    assert source.refusal("B", "EXPUNGE") == "EXPUNG is taken: it is a permanent symbol of PAL III"
+    assert source.refusal("COUNTA", "COUNTAX") == ""
+
+
 def test_a_place_behind_a_text_is_its_end() -> None:
     text = Text("A\nB")
     assert [text.column(line, 9) for line in range(3)] == [1, 1, 0]

@@ -67,9 +67,18 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
     assert said[-1].startswith("stop key; ")
     do(made, "cont")
     assert said[-1].startswith("waits for a tape; ")
-    made.stopping = True  # before the run: it ends none
-    do(made, "deposit 300 2310 5300 5300", "go 300 3")
-    assert not said[-1].startswith("stop key; ")
+    for line in ("go 300 3", "step 4"):
+        made.stopping = True  # before the run: it ends none
+        before = len(said)
+        do(made, "deposit 300 2310 5300 5300", line)
+        assert not said[-1].startswith("stop key; ")
+    assert len(said) - before == 4
+
+
+def test_all_points_of_all_fields_are_forgotten() -> None:
+    said: list[str] = []
+    do(Monitor(said.append), "set cpu 8k", "break 10200 300", "watch 10300", "forget", "break", "watch")
+    assert said == ["none", "none"]
 
 
 def test_a_traced_step_is_the_last_after_ctrl_c() -> None:

@@ -6,6 +6,8 @@ from pathlib import Path
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.hardware.highspeed import HighSpeed
+from pdp8.computer.machine import Machine
 from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
@@ -141,3 +143,21 @@ def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
     do(monitor, "detach df after")
     assert Path("after").read_bytes() == Path("discs-changed").read_bytes()
     assert Path("discs").read_bytes() == before
+
+
+def test_each_punch_is_written_to_the_file_that_was_attached_for_it() -> None:
+    said: list[str] = []
+    monitor = Monitor(said.append, Machine())
+    monitor.machine.fit(HighSpeed())
+    do(
+        monitor,
+        "attach tto slow",
+        "attach ptp fast",
+        "deposit 210 301 302",
+        "deposit 200 7200 1210 6046 6026 7402",
+        "go 200",
+        "wait 1",
+    )
+    do(monitor, "deposit 201 1211 6026 7402", "go 200", "wait 1")
+    do(monitor, "detach tto", "detach ptp")
+    assert (Path("slow").read_bytes(), Path("fast").read_bytes()) == (b"\xc1", b"\xc1\xc2")
