@@ -53,7 +53,7 @@ export class Editor {
   #paste(/** @type {any} */ event) {
     const { area, area: { selectionStart: from, selectionEnd: until, value }, bench } = this;
     const text = event.clipboardData.getData("text/plain").replaceAll("\r\n", "\n");
-    if (text.length < SHORT) return;
+    if (text.length < SHORT || area.readOnly) return;
     event.preventDefault();
     try {
       bounded(value.slice(0, from) + text + value.slice(until));

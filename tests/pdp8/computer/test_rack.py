@@ -58,6 +58,8 @@ def test_a_full_line_is_printed_by_the_character_behind_it() -> None:
     m = rack("1030 6664 6661 5202 6662 7200 2020 5200 7402 20/ 7574 30/ 173", printer := LP08())
     assert m.run(10).reason == "halt"
     assert (printer.paper, printer.column, m.elapsed < 0.05) == ("{" * 132, 132, True)
+    m.start(0o200)
+    assert printer.column == 0
 
 
 def test_the_printer_interrupts_only_when_it_is_let() -> None:

@@ -1,6 +1,6 @@
 """The operator's time, without a terminal: hands, paces, lamps, tapes."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
 
@@ -79,13 +79,16 @@ def test_a_second_in_the_room_is_speed_seconds_at_the_machine(speed: int) -> Non
 
 
 def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
-    times = iter(range(1000))
-    session = counting(lambda: float(next(times)))
+    times: Iterator[float] = map(float, range(1000))
+    session = counting(lambda: next(times))
     session.advance(0.05)
     assert session.behind
     assert session.machine.elapsed < 0.05
     turns = session.machine.instructions // 2
     assert session.machine.ac in (turns & 0o7777, turns + 1 & 0o7777)
+    times = iter([0.0] * 1000)
+    session.advance(0.001)
+    assert not session.behind
 
 
 def test_lamps_at_a_standstill_are_the_panels(session: Session) -> None:

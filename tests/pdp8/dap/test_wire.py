@@ -142,6 +142,19 @@ def test_a_tape_is_written_when_an_editor_leaves_a_run(leaves: str, tmp_path: Pa
         assert events[-1]["event"] == "terminated"
 
 
+def test_a_source_that_has_changed_is_named_before_the_stop(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    program = tmp_path / "own.pal"
+    program.write_text("*200\n\tNOP\n\tHLT\n$\n")
+    monkeypatch.setattr(Debuggee, "pause", lambda debuggee: program.write_text("*200\n\tHLT\n$\n"))
+    heard = held(("launch", {"program": str(program), "stopOnEntry": True}), ("configurationDone", {}))
+    events = [
+        each["event"] for each in heard if "stopped" in str(each) or "was changed: restart" in str(each)
+    ]
+    assert events == ["output", "stopped"]
+
+
 def test_a_pause_while_the_machine_stands_is_not_remembered() -> None:
     launch = {"program": "hello.pal", "stopOnEntry": True}
     pause = ("pause", {"threadId": 1})

@@ -190,11 +190,11 @@ export const cases = {
     const { setItem } = localStorage;
     Object.getPrototypeOf(localStorage).setItem = () => { throw new Error("full"); };
     programs.keep("a", "refused");
-    const { refused } = programs, held = programs.get("a");
+    const { refused } = programs, held = [programs.get("a"), ...programs.names()];
     Object.getPrototypeOf(localStorage).setItem = setItem;
     programs.keep("a", "kept");
     localStorage.setItem("pdp8 program: a", "another tab's");
-    return [[refused, held, programs.refused, programs.get("a")], ["full", "refused", "", "another tab's"]];
+    return [[refused, held, programs.refused, programs.get("a")], ["full", ["refused", "a"], "", "another tab's"]];
   },
   "before anything is lost it is asked": async () => {
     const { Session } = await get("bench/session");

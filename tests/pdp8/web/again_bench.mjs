@@ -336,7 +336,14 @@ export const cases = {
       try { editor.put("long.pal", "/".repeat(length)); return editor.text.length; } catch (error) { return error.message.slice(0, 11); }
     });
     editor.put("short.pal", "HLT");
-    return [said, [200_000, "a source of"]];
+    const { area } = editor;
+    Object.assign(area, { selectionStart: 1, selectionEnd: 2, setRangeText: (text, from, until) => (area.value = area.value.slice(0, from) + text + area.value.slice(until)) });
+    for (const [length, readOnly] of [[1999, false], [2000, true], [2000, false]]) {
+      area.readOnly = readOnly;
+      area.heard.paste.at(-1)({ clipboardData: { getData: () => "/".repeat(length) }, preventDefault: () => said.push("here") });
+      said.push(editor.text.length); // the browser does the short, and nothing in a text that is only read
+    }
+    return [said, [200_000, "a source of", 3, 3, "here", 2002]];
   },
   "a program that is renamed has its text under the new name alone": async () => {
     const { Editor } = await get("bench/editor");
@@ -367,7 +374,11 @@ export const cases = {
     editor.area.value = "mine";
     editor.keep();
     editor.keep();
-    return [[untouched, programs.names(), editor.name, programs.get("a.pal"), programs.get("a 2.pal")], [["a.pal", ["a.pal"]], ["a 2.pal", "a.pal"], "a 2.pal", "theirs", "mine"]];
+    const seen = [untouched, programs.names(), editor.name, programs.get("a.pal"), programs.get("a 2.pal")];
+    programs.keep("a 2.pal", "theirs too");
+    editor.rename({ value: "b.pal" });
+    seen.push(programs.get("a 2.pal"), programs.get("b.pal"));
+    return [seen, [["a.pal", ["a.pal"]], ["a 2.pal", "a.pal"], "a 2.pal", "theirs", "mine", "theirs too", "mine"]];
   },
   "a play ends with the afternoon, and not before": async () => {
     const made = await afternoon();
@@ -453,10 +464,15 @@ export const cases = {
     seen.push([card.coach, now(), find("drill").ariaPressed, card.allows("start")]);
     card.kept = [0, 0, 0, false];
     seen.push([card.allows("cont"), card.coach.wrong]);
+    const { performance } = globalThis;
+    globalThis.performance = { now: () => 0 };
+    card.kept = [0, 0, 0, true];
+    seen.push([1000, 3000].map((now) => ((globalThis.performance = { now: () => now }), card.allows("cont"), card.coach.seconds)));
+    globalThis.performance = performance;
     delete find("card").querySelectorAll;
     delete find("computer").querySelectorAll;
     const at = (place) => [place, [place], [place, 2, 5, true]];
-    return [seen, [at(0), at(3), at(count - 1), at(0), [null, [], "false", true], [false, 1]]];
+    return [seen, [at(0), at(3), at(count - 1), at(0), [null, [], "false", true], [false, 1], [1, 3]]];
   },
   "reels turn with the tape, and a drive has what is mounted on it until it is taken off": async () => {
     const { Drives } = await get("bench/drives");
@@ -474,7 +490,8 @@ export const cases = {
     let remembered = 0;
     const got = [];
     const bench = await desk({ remember: () => (remembered += 1), download: (name, frames) => got.push(name, frames.length) });
-    bench.like = (own, more, memory) => Object.assign(own, { devices: [...own.devices, ...more], held: memory });
+    const { watch } = bench.machine;
+    bench.like = (own, more, memory) => Object.assign(Object.create(Object.getPrototypeOf(own)), own, { devices: [...own.devices, ...more], held: memory, watch: { breakpoints: new Set() } });
     const drives = new Drives(bench);
     find("reels").children = [];
     const state = () => (drives.show(), [drives.units.map(({ hidden }) => hidden), find("boot-reel").disabled]);
@@ -484,7 +501,7 @@ export const cases = {
       drives.mount(name, frames);
       seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
     }
-    seen.push(bench.machine.held, bench.machine.devices.filter((each) => each instanceof TC08).length);
+    seen.push(bench.machine.held, bench.machine.devices.filter((each) => each instanceof TC08).length, bench.machine.watch.breakpoints === watch.breakpoints);
     const [drive] = drives.control.drives;
     const shown = [0, 0.5, 1].map((part) => {
       drive.position = () => Math.round(part * LINES) * LINE;
@@ -504,7 +521,7 @@ export const cases = {
     const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
     const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
     return [[seen, shown], [
-      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 8192, 1, [true, false],
+      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 8192, 1, true, [true, false],
         ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2],
       [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],
         [`translate(10 10) rotate(${half})`, 6.96, `translate(30 10) rotate(${half})`, 6.96, `${all}block 1341, at rest`],
