@@ -279,6 +279,18 @@ def test_what_is_fed_begins_above_the_stock() -> None:
     )
 
 
+def test_each_move_has_the_feed_of_its_axis_whichever_was_used_before() -> None:
+    """Of Table 2.4, codes 05, 02 and 04: 5.5, 1.9 and 4.0 in/min."""
+    corners, codes = [(2250, 5000), (2350, 5000), (2350, 5100), (2450, 5100), (2450, 5200)], (5, 2, 5, 2, 4)
+    blocks = [
+        f"{number:03} 6 {x:05} {y:05} 0 {code:02} {85 - number % 2}"
+        for number, ((x, y), code) in enumerate(zip(corners, codes, strict=True), 8)
+    ]
+    for output in (Output(), Output(safe=30, shift=(-500, 250))):
+        mill = safety.run([*gcode(nc.cut(tape(*HEADER, *blocks)), output)], output.safe / 1000)
+        assert [move.feed for move in mill.went if move.feed][1:] == [5.5, 1.9, 5.5, 1.9, 4.0]
+
+
 def test_a_tape_that_a_mill_cannot_cut_is_refused() -> None:
     with pytest.raises(WorkError, match="no block of this tape cuts"):
         [*gcode(nc.cut(tape(*HEADER)))]
