@@ -91,7 +91,7 @@ class Written:
 
 
 class Listed:
-    """A statement of the listing: its location, its word or None, and the item that ends it."""
+    """A statement of the listing: its location, field included, its word or None, the item that ends it."""
 
     def __init__(self, location: int, word: int | None, at: int) -> None:
         self.location = location
@@ -357,10 +357,11 @@ class Assembler:
                 self._make_word()
 
     def _act_upon(self, routine: str) -> None:
-        """Use the word as the argument of FIELD in pass 2, or of FIXMRI in pass 1."""
-        if routine == "FIELD" and self._number == 2:
+        """Use the word as the argument of FIELD, punched in pass 2, or of FIXMRI in pass 1."""
+        if routine == "FIELD":
             self._field = (self._word & 7) << 12
-            self.output.append(Punched(FIELD, self._word & 7))
+            if self._number == 2:
+                self.output.append(Punched(FIELD, self._word & 7))
         elif routine == "FIXMRI" and self._number == 1:
             self._symbols.fix_reference()
 
@@ -395,7 +396,7 @@ class Assembler:
             self._location = self._location + 1 & _MASK
 
     def _list(self, at: int) -> None:
-        self.output.append(Listed(self._location, self._word if self._made else None, at))
+        self.output.append(Listed(self._field | self._location, self._word if self._made else None, at))
         fed = False
         if self._items[at][1] == "\r":
             self._symbols.overwrite()

@@ -160,7 +160,7 @@ def _texts(
 def _statement(listed: Listed, text: str) -> str:
     if listed.word is None:
         return NEW_LINE + UNNUMBERED + text
-    return f"{NEW_LINE}{octal(listed.location)}  {octal(listed.word)}  {text}"
+    return f"{NEW_LINE}{octal(listed.location & 0o7777)}  {octal(listed.word)}  {text}"
 
 
 def _message(text: str) -> str:

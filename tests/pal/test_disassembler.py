@@ -23,6 +23,7 @@ def test_words_of_any_field_come_back(core: dict[int, int], start: int, run: lis
     core |= {(start + offset) & 0o77777: word for offset, word in enumerate(run)}
     assembly = pal.assemble(disassemble(core))
     assert assembly.words == core
+    assert {line.address: line.word for line in assembly.lines if line.word is not None} == core
     assert assembly.ok
 
 
