@@ -136,6 +136,11 @@ def has(name: str) -> bool:
     return os.path.exists(name) or name in _bundled
 
 
+def is_name(text: str) -> bool:
+    """Tell whether a text, which may be an expression, names a file: it is there, or ends as names do."""
+    return has(text) or ("." in text and text.rpartition(".")[2].isalpha())
+
+
 def hides(name: str) -> bool:
     """Tell whether the file called `name` hides a bundled one of other content."""
     if name not in _bundled or not os.path.isfile(name):

@@ -254,7 +254,7 @@ class Named:
             if self.side not in ("", *SIDES[kind]):
                 raise click.UsageError(f"--side of a --{kind} is {' or '.join(SIDES[kind])}.")
             named = Nominal(kind, numbers, expression, side=self.side)
-            return self._of_file(named, mm) if kind == "profile" and shelf.has(expression) else named
+            return self._of_file(named, mm) if kind == "profile" and shelf.is_name(expression) else named
         return None
 
     def _of_file(self, named: Nominal, mm: bool) -> Nominal:

@@ -16,7 +16,7 @@ from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, eia
-from tapes.errors import WorkError, naming
+from tapes.errors import naming
 from tapes.nominal import Nominal
 from tapes.text import lines_of
 
@@ -122,19 +122,14 @@ def _is_ours(name: str) -> bool:
 def _from_file(part: Part, values: dict[str, Any], mm: bool) -> tuple[str, dict[str, Any]]:
     """Return the printout for an expression, or a file of points that it names, and the values used."""
     program, given = part.program(), values["expression"]
-    if given == "-" or shelf.has(given):
+    if given == "-" or shelf.is_name(given):
         lines = (f"{x!r},{y!r}\n" for x, y in _points(given, mm))
         with naming(given):
             values = values | {"expression": "".join(lines)}
             return program(**arguments(program, values)), values
     if mm:
         raise click.UsageError("--mm is for a file of points, and an expression is in inches.")
-    try:
-        return program(**arguments(program, values)), values
-    except WorkError as error:
-        if "." in given and given.rpartition(".")[2].isalpha():
-            raise WorkError(f"{given}: there is no such file") from error
-        raise
+    return program(**arguments(program, values)), values
 
 
 def _points(name: str, mm: bool) -> list[tuple[float, float]]:

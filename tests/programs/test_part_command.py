@@ -206,9 +206,10 @@ def test_the_nominal_curve_is_put_beside_a_tape_and_kept_if_asked(call: Call) ->
 
 
 def test_a_name_with_a_point_is_a_file_and_a_word_is_not(call: Call) -> None:
-    for given, is_file in (("none.csv", True), ("none", False), ("2.5*none", False), ("sin(x", False)):
-        said = call(f"pdp8 part profile '{given}'")[2]
-        assert ("there is no such file" in said) == is_file, given
+    for command in ("part profile", "nc inspect circle.eia --profile"):
+        for given, is_file in (("none.csv", True), ("none", False), ("2.5*none", False), ("sin(x", False)):
+            said = call(f"pdp8 {command} '{given}'")[2]
+            assert ("no such file" in said) == is_file, given
 
 
 def test_points_become_a_function_and_a_part_has_another_hand(shell: Shell) -> None:

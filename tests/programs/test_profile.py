@@ -204,7 +204,7 @@ def test_the_command_takes_a_file_in_place_of_an_expression(
     for name, why in (
         ("one.txt", "one.txt: a closed outline has three different points or more, not 1"),
         ("folder.csv", "folder.csv: Is a directory"),
-        ("none.csv", "none.csv: there is no such file"),
+        ("none.csv", "none.csv: no such file, here or among the bundled ones"),
         ("x+", "column 3: the end is not an expression in x"),
     ):
         done = shell(f"pdp8 part profile {name}")
