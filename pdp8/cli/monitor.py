@@ -4,12 +4,12 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import click
 
-from pdp8 import fitting
+from pdp8 import fitting, leaving
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import device_option, dialect_option
@@ -141,14 +141,31 @@ def _typed() -> Iterator[str]:
     kept = os.path.isdir(folder) and os.access(folder, os.W_OK)
     history = FileHistory(os.path.join(folder, "pdp8-monitor")) if kept else InMemoryHistory()
     session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))
+    asked: list[int] = []
+
+    def end(number: int, _: object) -> None:
+        asked.append(number)
+        if session.app.loop is not None:
+            session.app.loop.call_soon_threadsafe(leave)
+
+    def leave() -> None:
+        if asked and session.app.is_running and not session.app.is_done:
+            session.app.exit(exception=EOFError)
+
     while True:
+        line: str | None = None
         try:
-            yield session.prompt("pdp8> ")
-        except SystemExit:  # a signal within the first drawing, which prompt_toolkit leaves as it is
-            with suppress(OSError):  # the terminal is closed
-                session.app.renderer.reset()
-            raise
+            with leaving.taken(end, *leaving.ENDS):  # raised within prompt_toolkit, it might be lost
+                line = session.prompt("pdp8> ", pre_run=leave)
         except KeyboardInterrupt:
-            continue
+            pass
         except EOFError:
-            return
+            if not asked:
+                return
+        except OSError:  # the terminal is closed
+            if not asked:
+                raise
+        if asked:
+            sys.exit(128 + asked[0])
+        if line is not None:
+            yield line

@@ -10,9 +10,6 @@ The keys of the keyboard are the operator's hands at the panel, or, after TAB, f
 
 import asyncio
 import os
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from time import perf_counter
 from typing import Any, ClassVar
 
@@ -22,7 +19,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal
 from textual.widgets import Footer, Static
 
-from pdp8 import shelf
+from pdp8 import leaving, shelf
 from pdp8.computer.use.program import Program
 from pdp8.console.dialogs import AskToLeave, ChooseTape, NameTape
 from pdp8.console.lamps import LampRows
@@ -105,7 +102,7 @@ class Room(App[None]):
 
     def operate(self) -> int:
         """Run until the panel is left or a signal ends it; return the exit status."""
-        with self._signals():
+        with leaving.taken(self._ask_to_end, "SIGINT", *leaving.ENDS):
             self.run()
         return self.return_code or 0
 
@@ -141,30 +138,15 @@ class Room(App[None]):
             self._before = perf_counter()
             self.set_interval(TURN, self._tick)
 
-    @contextmanager
-    def _signals(self) -> Iterator[None]:
+    def _ask_to_end(self, number: int, _: object) -> None:
         """End as a signal asks, with the terminal put back; at once if it is closed: Textual would wait."""
-
-        def end(number: int, _: object) -> None:
-            try:
-                os.get_terminal_size(0)
-            except OSError:
-                os._exit(128 + number)
-            self._signal = number
-            if self._turns is not None:  # before, `on_mount` looks
-                self._turns.call_soon_threadsafe(self._end)
-
-        names = "SIGINT", "SIGTERM", "SIGHUP"
-        numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]  # Windows has no SIGHUP
-        before = {number: signal.getsignal(number) for number in numbers}
-        taken = [number for number in numbers if before[number] is not signal.SIG_IGN]  # by `nohup`
-        for number in taken:
-            signal.signal(number, end)
         try:
-            yield
-        finally:
-            for number in taken:
-                signal.signal(number, before[number])
+            os.get_terminal_size(0)
+        except OSError:
+            os._exit(128 + number)
+        self._signal = number
+        if self._turns is not None:  # before, `on_mount` looks
+            self._turns.call_soon_threadsafe(self._end)
 
     def on_unmount(self) -> None:
         self._turns = None

@@ -16,7 +16,7 @@ from typing import BinaryIO
 
 import click
 
-from pdp8 import shelf
+from pdp8 import leaving, shelf
 from tapes.errors import WorkError, called, visible
 
 _NAMED = 6
@@ -45,11 +45,9 @@ def run(command: click.Command, name: str, arguments: Sequence[str] | None = Non
 
 
 def _take_signals() -> None:
-    """End as SIGTERM asks, and SIGHUP of a terminal that is closed: Windows has none, `nohup` ignores it."""
-    for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, lambda number, _: sys.exit(128 + number))  # what is half written goes
+    """End as SIGTERM asks, and SIGHUP of a terminal that is closed."""
+    for number in leaving.heard(*leaving.ENDS):
+        signal.signal(number, lambda number, _: sys.exit(128 + number))  # what is half written goes
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:

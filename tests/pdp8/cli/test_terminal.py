@@ -1,8 +1,10 @@
 """The terminal key by key: prompt_toolkit's raw mode on a pipe, and what differs on Windows."""
 
+import signal
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
@@ -15,6 +17,7 @@ from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
 from prompt_toolkit.output import DummyOutput
 
+from pdp8 import leaving
 from pdp8.cli import monitor
 from pdp8.cli.run import run
 from pdp8.cli.running import keyboard, pacing
@@ -154,6 +157,25 @@ def test_what_is_typed_is_kept_where_there_is_a_folder_of_states(
             assert list(monitor._typed()) == ["examine 200"]
         assert (tmp_path / "state" / "pdp8-monitor").exists() == kept
         (tmp_path / "state").mkdir(exist_ok=True)
+
+
+def test_a_signal_ends_the_prompt_wherever_it_comes(keys: PipeInput) -> None:
+    """Also where what a handler raises is lost: in a finaliser, or in a library that catches it."""
+
+    class Screen(DummyOutput):
+        def flush(self) -> None:
+            with suppress(SystemExit):
+                signal.raise_signal(signal.SIGTERM)
+
+    def end(number: int, _: object) -> None:
+        raise SystemExit(128 + number)
+
+    keys.send_text("examine 200\r")
+    with leaving.taken(end, "SIGTERM"), create_app_session(keys, Screen()):
+        with pytest.raises(SystemExit) as left:
+            next(monitor._typed())
+        assert left.value.code == 128 + signal.SIGTERM
+        assert signal.getsignal(signal.SIGTERM) is end
 
 
 def test_echo_is_for_a_script(call: Call) -> None:
