@@ -47,6 +47,7 @@ cli/        the command; `python -m pdp8` is the same
 
 shelf       where files are found, read and written
 fitting     devices of anybody's, each in a file of its own
+leaving     signals that ask a program to end
 reels       DECtapes on drives, discs of a DF32, and the files that they came from
 companion   the nominal curve in a file beside a tape
 """

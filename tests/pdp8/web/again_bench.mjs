@@ -257,7 +257,62 @@ export const cases = {
     globalThis.onmessage({ data: [8, "none", []] });
     delete globalThis.onmessage;
     const late = "it took more than 0.01 s, and was ended";
-    return [[ended, other, await three, await four, posted[0], posted[1].length], [[late, late, null, 0], true, "made", "why not", [7, 3], 3]];
+    const soonMade = apart.ask("e", [], 0.01), laterMade = apart.ask("f", [], 9).catch(said);
+    apart.worker.onmessage({ data: [4, "in time"] });
+    const five = await soonMade;
+    await soon(30);
+    apart.worker?.onmessage({ data: [5, "in its own time"] });
+    return [[ended, other, await three, await four, posted[0], posted[1].length, five, await laterMade],
+      [[late, late, null, 0], true, "made", "why not", [7, 3], 3, "in time", "in its own time"]];
+  },
+  "a tab above the window is brought there, but not while the afternoon plays": async () => {
+    const { Tabs } = await get("bench/tabs");
+    const panes = rows(2), tabs = rows(2), list = find("tabs");
+    for (const [at, pane] of panes.entries()) Object.assign(pane, { id: `pane ${at}`, dataset: { tab: `tab ${at}` } });
+    for (const [at, tab] of tabs.entries()) tab.dataset.opens = `pane ${at}`;
+    page.querySelectorAll = () => panes;
+    Object.assign(list, { children: tabs, top: 0, brought: 0, getBoundingClientRect: () => ({ top: list.top }), scrollIntoView: () => (list.brought += 1) });
+    const bench = await desk();
+    const made = new Tabs(bench);
+    const seen = [];
+    for (const [top, on] of [[0, false], [-1, true], [-1, false]]) {
+      list.top = top;
+      bench.afternoon.on = on;
+      made.open("pane 1");
+      seen.push([list.brought, panes.map(({ hidden }) => hidden), made.kept]);
+    }
+    page.querySelectorAll = () => [];
+    return [seen, [0, 0, 1].map((brought) => [brought, [true, false], "pane 1"])];
+  },
+  "a drawing takes the colours of the day and of the night": async () => {
+    const { Sheet } = await get("sheet");
+    const { matchMedia, getComputedStyle } = globalThis;
+    const context = { setTransform: nothing, fillRect: nothing };
+    const canvas = Object.assign(new Element(), { checkVisibility: () => true, getContext: () => context });
+    let turn = nothing, now = "day";
+    globalThis.matchMedia = (query) => ({ addEventListener: (_, act) => query.includes("dark") && (turn = act) });
+    globalThis.getComputedStyle = () => ({ getPropertyValue: (name) => `${now}'s ${name}` });
+    const made = Object.assign(new Sheet(canvas, nothing), { width: 10, height: 10 });
+    const seen = [];
+    const draw = () => made.draw("as before", (_, width, height, { ink }) => seen.push(ink));
+    draw();
+    now = "night";
+    draw();
+    turn();
+    draw();
+    Object.assign(globalThis, { matchMedia, getComputedStyle });
+    return [[seen, context.fillStyle], [["day's --ink", "night's --ink"], "night's --sheet"]];
+  },
+  "a machine is kept without the breakpoint of its goal, and found again in the room at rest": async () => {
+    globalThis.pack = { record: new Promise(nothing) }; // the page does not begin
+    const { kept } = Object.getOwnPropertyDescriptors((await get("workbench")).Bench.prototype);
+    const running = await machine();
+    for (const address of [0o200, 0o300]) running.watch.breakpoints.add(address);
+    running.processor.run = 1;
+    const drives = { bare: () => "as it is", restored: () => running }, room = { open: true, keep: (found) => (room.found = found) };
+    const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives });
+    kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o201] });
+    return [[before, room.found === running, running.processor.run, running.watch.breakpoints.has(0o201)], [{ state: "as it is", breakpoints: [0o200] }, true, 0, true]];
   },
   "a session is found again part by part": async () => {
     const { Session } = await get("bench/session");

@@ -216,13 +216,17 @@ export const cases = {
     const { querySelector } = place;
     const control = { checkVisibility: () => control.seen, click: () => (control.pressed = true) };
     told.querySelector = () => (control.seen === undefined ? null : control); // at first no control has these keys
-    place.querySelector = (selector) => (selector === "dialog[open]" ? null : querySelector.call(place, selector));
+    let dialog = null;
+    place.querySelector = (selector) => (selector === "dialog[open]" ? dialog : querySelector.call(place, selector));
     const press = (key, more = {}) => {
       let done = false;
       page.hear("keydown", { key, preventDefault: () => (done = true), target: { matches: () => false }, ...more });
       return [made.tour.turn, done];
     };
     const seen = [press("["), press("]"), press("]", { ctrlKey: true }), press("]", { target: { matches: (of) => of === "input" } }), press("x")];
+    dialog = new Element();
+    seen.push(press("]"));
+    dialog = null;
     for (let turn = 0; turn < 8; turn++) press("]");
     seen.push(press("]"), press("["));
     for (control.seen of [false, true]) seen.push(press(" "), control.pressed);
@@ -230,7 +234,7 @@ export const cases = {
     seen.push(press("["));
     delete place.querySelector;
     delete told.querySelector;
-    return [seen, [[0, true], [1, true], [1, false], [1, false], [1, false], [7, true], [6, true], [6, false], undefined, [6, true], true, [6, false]]];
+    return [seen, [[0, true], [1, true], [1, false], [1, false], [1, false], [1, false], [7, true], [6, true], [6, false], undefined, [6, true], true, [6, false]]];
   },
   "the sound's button says how it stands": async () => {
     const made = await drawn();
@@ -280,8 +284,11 @@ export const cases = {
     const { Page } = await get("room/teletype");
     const paper = new Page();
     for (const frame of [0o301, 0o215, 0o212]) paper.take(frame);
-    const wide = [4, 4, 16, 4].map((sharp) => (strokes((c) => paper.draw(c, 0, 0), sharp), [paper.sharp, paper.ended - paper.drawn]));
-    return [wide, [[4, 0], [4, 0], [16, 0], [4, 0]]];
+    const wide = [4, 4, 16, 4].map((sharp) => {
+      strokes((c) => paper.draw(c, 0, 0), sharp);
+      return [paper.sharp, paper.ended - paper.drawn, paper.picture.getContext("2d").filled.length > 0];
+    });
+    return [wide, [[4, 0, true], [4, 0, true], [16, 0, true], [4, 0, true]]];
   },
   "filaments follow and rest": async () => {
     const { Filaments } = await get("room/panel");
