@@ -156,8 +156,8 @@ class Core(Page):
     def render(self) -> Text:
         machine, pc = self.session.machine, self.session.address
         words = 8 if self.size.width >= 46 else 4
-        rows = min(self.size.height, 0o10000 // words)
-        first = max(0, min(pc // words - rows // 2, 0o10000 // words - rows))
+        rows = min(self.size.height, machine.memory // words)
+        first = max(0, min(pc // words - rows // 2, machine.memory // words - rows))
         text = Text()
         for row in range(first, first + rows):
             text.append(f"{row * words:04o} ", _FAINT)

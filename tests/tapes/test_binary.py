@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tapes import ascii, binary, codes, rim
 from tapes.errors import TapeError
 from tapes.frames import leader
-from tests.conftest import assert_same_tape
+from tests.conftest import assert_same_tape, case
 from tests.pdp8.computer.hardware.test_simh import SIMH
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, refused
 
@@ -176,6 +176,14 @@ def test_what_a_damaged_tape_holds() -> None:
     ):
         assert damage in str(binary.find_damage(reading))
         assert binary.content(reading).words == {0o200: 5, 0o201: 2, 0o202: 3}
+
+
+def test_without_trailer_one_frame_may_be_behind_the_checksum() -> None:
+    whole = binary.encode({0o200: 1, 0o201: 2, 0o202: 3}).rstrip(b"\x80")
+    for behind, good in ((b"", True), (b"A", True), (b"AB", False), (b"\0\0A", True)):
+        with case(behind):
+            damage = binary.find_damage(binary.read(whole + behind))
+            assert (damage is None) == good, damage
 
 
 def test_a_field_is_no_origin() -> None:

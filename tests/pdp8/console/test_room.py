@@ -15,6 +15,7 @@ from pdp8 import shelf
 from pdp8.console import lamps
 from pdp8.console.app import Room
 from pdp8.console.pages import Card, Core
+from pdp8.console.strips import ReaderStrip
 from pdp8.console.switches import Rocker
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, scene, shown
@@ -98,6 +99,13 @@ async def test_the_switches_of_the_memory_extension(room: Room, pilot: Pilot[Non
     await press(pilot, "i 0 2 0 0 l")
     assert (machine.pc, machine.ma, machine.mb, machine.panel.data_field) == (0o10200, 0o10200, 0o6211, 0)
     assert_shows(room, "8K, in field 1, 80x24")
+    while "core about the PC, 10200" not in shown(room):
+        await press(pilot, "g")
+    assert "10200  6211 0000" in shown(room)
+    page = room.query_one(Core)
+    before = page.look()
+    machine.ma = 0o10201
+    assert page.look() != before, "the word of the MA is underlined"
     await press(pilot, "f I l")
     assert (machine.pc, machine.processor.extension.data_field) == (0o200, 0o10000)
 
@@ -209,6 +217,17 @@ async def test_tearing_off_and_reading_again(room: Room, pilot: Pilot[None]) -> 
                 await press(pilot, "w")
         assert (own.read_text(), mine.read_bytes()) == ("*200\n", punched)
     assert room.session.tapes[-1].frames == punched
+
+
+@scene(reader="circle.asc")
+async def test_another_tape_of_the_same_length_has_captions_of_its_own(
+    room: Room, pilot: Pilot[None]
+) -> None:
+    strip, reader = room.query_one(ReaderStrip), room.session.machine.teletype.reader
+    for letter in "AB":
+        reader.load(bytes([ord(letter) | 0o200]) * 20)
+        strip.look()
+        assert strip.captions[0] == letter
 
 
 @scene()

@@ -542,3 +542,11 @@ def test_what_is_no_expression_is_a_command_at_the_console_only(program: str) ->
     assert hovered == "nix: neither a register nor a symbol of the program"
     assert entered == "'nix': no such command; help tells which there are"
     assert (restarted, sr["result"]) == (None, "1234")
+
+
+def test_a_source_is_known_by_each_way_to_it(tmp_path: Path) -> None:
+    (tmp_path / "own.pal").write_text("*200\n\tHLT\n$\n")
+    (tmp_path / "way").symlink_to(tmp_path, target_is_directory=True)
+    places = Places(shelf.program(str(tmp_path / "own.pal")))
+    for path, known in (("own.pal", True), ("way/own.pal", True), ("other.pal", False)):
+        assert places.is_of({"path": str(tmp_path / path)}) == known, path

@@ -1,5 +1,7 @@
 """Hints that rest on all trials of an answer: each mistake by hand, and what it shows."""
 
+from dataclasses import replace
+
 import pytest
 
 from pdp8.lessons import form
@@ -106,6 +108,14 @@ def test_a_hint_to_any_result_waits_for_the_first_case() -> None:
     assert {mark.hint for mark in mark(add, wrong).marks} == {"SUM is A + A in each trial."}
     last = add.solution.replace("\tHLT", "\tTAD SUM\n\tHLT")
     assert [found.hint for found in mark(add, last).marks if found.failures] == ["DCA deposits and clears."]
+
+
+def test_no_pattern_tells_of_a_hidden_case() -> None:
+    add = form.read("add")
+    wrong = add.solution.replace("TAD B", "TAD A")
+    for hidden in (False, True):
+        given = replace(add, cases=tuple(replace(each, hidden=hidden) for each in add.cases))
+        assert any("A + A" in mark.hint for mark in mark(given, wrong).marks) != hidden
 
 
 def test_a_hint_that_nothing_brings_about_is_an_error() -> None:

@@ -6,6 +6,7 @@ import pytest
 
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
+from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import find
@@ -184,3 +185,24 @@ def test_what_is_shown_and_expected_is_what_is_new() -> None:
     monitor.machine.teletype.printer.frames.extend(b"D")
     do(monitor, "page more")
     assert said[-1] == "D"
+
+
+def test_with_sing_step_a_run_until_a_text_is_printed_is_not_content_with_a_cycle() -> None:
+    made = Monitor(lambda line: None)
+    do(made, "set sing_step 1", "deposit 200 7001 5200", "go 200")
+    with pytest.raises(MonitorError, match="'X' was not printed"):
+        do(made, "go 200 until X 0.1")
+
+
+def test_keys_that_are_sent_before_a_run_are_typed_in_their_order() -> None:
+    made = Monitor(lambda line: None)
+    do(made, "deposit 200 6031 5200 6036 6046 5200", 'send "A"', 'send "B"', "go 200 1")
+    assert printed(made.machine.teletype.printer.frames) == b"AB"
+
+
+def test_what_was_printed_before_a_boot_is_not_expected_after_it() -> None:
+    made = Monitor(lambda line: None)
+    do(made, "deposit 200 6046 7402", "set ac 301", "deposit 200 1203 6046 7402 0301", "go 200", "wait 1")
+    do(made, "boot eia.pal")
+    with pytest.raises(MonitorError, match="'A' was not printed"):
+        do(made, "expect A 0.1")
