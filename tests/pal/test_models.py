@@ -1,10 +1,12 @@
 """What other models do otherwise. Words as the facts have them: bits, octal."""
 
 import re
+from pathlib import Path
 
 import pytest
 
 from pal.models import MODELS, differs, rules
+from tests.conftest import Call
 
 TABLE = """
 1110....001. 8SIL: rotates nothing|E: swaps the halves of AC (BSW)
@@ -70,3 +72,10 @@ def test_another_model_is_refused() -> None:
     assert MODELS == ("8", "8/S", "8/I", "8/L", "8/E")
     with pytest.raises(ValueError, match="'8/K' is not one of 8, 8/S, 8/I, 8/L, 8/E"):
         differs(0, "8/K")
+
+
+def test_an_address_is_no_instruction_of_another_model(call: Call, tmp_path: Path) -> None:
+    """6000 is SKON on an 8/E."""
+    for word, noted in (("X", True), ("T", False), ("6000", False)):
+        (tmp_path / "own.pal").write_text(f"X=6000\n*200\n\t{word}\n\tHLT\n*6000\nT,\t0\n$\n")
+        assert ("PN38" in call("pal own.pal --for 8/E -o own.bin")[2]) == noted, word

@@ -275,12 +275,11 @@ def test_a_tcp_port_of_8_bits_has_an_address_and_doubles_what_is_telnets(
 
 def test_telnets_options_are_taken_out_wherever_a_packet_ends() -> None:
     line = Tcp.__new__(Tcp)
-    line._telnet = b""
-    line._waiting, (line._client, there) = bytearray(), socket.socketpair()
-    there.sendall(b"\xff")
-    assert line.received(5) == b""
+    line._waiting = bytearray()
+    line._client, there = socket.socketpair()
+    line._telnet = b"\xff"
     there.close()
-    assert (line.received(5), line._client, line._telnet) == (b"", None, b""), "it left within an option"
+    assert (line.received(5), line._telnet) == (b"", b""), "it left within an option"
     for packets, frames in (
         ((b"A\r\0B",), b"A\rB"),
         ((b"\xff\xffA",), b"\xffA"),

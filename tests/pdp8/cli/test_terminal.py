@@ -1,5 +1,6 @@
 """The terminal key by key: prompt_toolkit's raw mode on a pipe, and what differs on Windows."""
 
+import os
 import signal
 import sys
 import time
@@ -211,6 +212,22 @@ def test_a_feed_of_no_tapes_says_nothing_of_a_first_frame(capsys: pytest.Capture
             with click.Context(click.Command("run")):
                 feed.look(False)
         assert capsys.readouterr().err.count("the first frame") == said
+
+
+def test_what_is_doubtful_about_a_pipe_is_said_at_its_first_piece(capsys: pytest.CaptureFixture[str]) -> None:
+    machine, pieces = Machine(), [b"34\n", b"56\n"]
+    end, other = os.pipe()
+    feed = Feed(machine.teletype.reader, [f"/dev/fd/{end}"])
+    feed.idle = lambda: not (pieces and os.write(other, pieces.pop(0)))
+    machine.load({0o200: 0o6031, 0o201: 0o5200, 0o202: 0o6036, 0o203: 0o5200})
+    os.write(other, b"12\n")
+    with click.Context(click.Command("run")):
+        assert feed.next_tape()
+        machine.start(0o200)
+        machine.run(seconds=2)
+    assert (feed.read, capsys.readouterr().err.count("no block will end")) == (9, 1)
+    os.close(end)
+    os.close(other)
 
 
 def test_windows_reads_a_tape_whole(monkeypatch: pytest.MonkeyPatch) -> None:

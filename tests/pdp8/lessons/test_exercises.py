@@ -250,6 +250,19 @@ compare=['A']
         assert (again.number, again.tried) == (found.number, most)
 
 
+def test_words_that_are_given_are_looked_at_beside_those_of_the_solution() -> None:
+    text = f"""{HEAD}solution='''*200\n\tCLA OSR\n\tDCA A\n\tHLT\nA,\t0\nB,\t7\n$\n'''
+[[random]]
+name='r'
+tests='t'
+trials=1
+sr={{pick=[5]}}
+core={{B=7}}
+compare=['A']
+"""
+    assert parse(text, "e", 1).cases[0].trials[0].core == {"A": 5, "B": 7}
+
+
 def test_an_exercise_that_wants_one_way_of_writing_is_found_out() -> None:
     """The symbols that must be used stay in all ways; a word that must lie at 0206 does not."""
     text = UNTOLD.replace("instructions=9\n", "").replace("starts=2", 'unchanged=["0212"]')

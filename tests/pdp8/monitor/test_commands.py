@@ -197,7 +197,7 @@ def test_with_sing_step_a_run_until_a_text_is_printed_is_not_content_with_a_cycl
 def test_keys_that_are_sent_before_a_run_are_typed_in_their_order() -> None:
     made = Monitor(lambda line: None)
     do(made, "deposit 200 6031 5200 6036 6046 5200", 'send "A"', 'send "B"', "go 200 1")
-    assert printed(made.machine.teletype.printer.frames) == b"AB"
+    assert printed(bytes(made.machine.teletype.printer.frames)) == b"AB"
 
 
 def test_what_was_printed_before_a_boot_is_not_expected_after_it() -> None:
