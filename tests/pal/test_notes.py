@@ -64,6 +64,12 @@ def test_data_that_the_program_runs_into_are_noted() -> None:
         assert len(noted(f"*250\n\tTAD A\n\tHLT\n*200\n\tCLA\nA,\t{data}\n$\n")) == notes
 
 
+def test_a_routine_without_a_first_word_is_noted_at_its_first_call() -> None:
+    source = "*200\n\tJMS A\n\tJMS A\n\tJMS B\n\tHLT\nA,\tCLA\n\tJMP I A\nB,\tCMA\n\tJMP I B\n$\n"
+    found = [each.line for each in pal.assemble(source).diagnostics if each.code == "PN07"]
+    assert found == [2, 4]
+
+
 def test_a_constant_among_the_instructions_is_run_on_purpose() -> None:
     assert noted("*200\n\tCLA\nA,\t70\n\tTAD A\n\tHLT\n$\n") == []
     assert [note[2] for note in noted("*200\n\tCLA\nA,\t0\n\tJMS A\n\tHLT\n$\n")] == ["PN06"]
