@@ -287,7 +287,9 @@ def _work(tab: Tab, control: Control, selector: str, which: int, way: str) -> No
         way = "keyboard"  # a list that a pointer has opened is the browser's, not the page's
     if way == "keyboard":
         focus = json.dumps(control.focus or selector)
-        tab.run(f"document.querySelectorAll({focus})[{0 if control.focus else which}].focus()")
+        focused = f"document.querySelectorAll({focus})[{0 if control.focus else which}]"
+        tab.until(focused)  # a text that was put in is looked at a moment later
+        tab.run(f"{focused}.focus()")
     else:
         tab.point(selector + control.within, which, way)
     if way == "keyboard" or tab.run(f'return !!{first}?.matches("{_FIELDS}")'):  # it may be gone
