@@ -104,16 +104,17 @@ class Terminal:
         os.close(terminal)
 
     def until(self, text: bytes) -> bytes:
-        """Read until `text` appears, escape sequences left out; return all since the last time."""
-        self._read(lambda: text in _ESCAPE.sub(b"", self.seen))
-        assert text in _ESCAPE.sub(b"", self.seen), self.seen
+        """Read until `text` appears, escape sequences left out unless it has one; return all since the last
+        time.
+        """
+
+        def shown() -> bool:
+            return text in (self.seen if b"\x1b" in text else _ESCAPE.sub(b"", self.seen))
+
+        self._read(shown)
+        assert shown(), self.seen
         seen, self.seen = self.seen, b""
         return seen
-
-    def shows(self, sequence: bytes) -> None:
-        """Read until an escape sequence was seen."""
-        self._read(lambda: sequence in self.seen)
-        assert sequence in self.seen, self.seen
 
     def type(self, keys: bytes) -> None:
         """Press keys."""

@@ -79,7 +79,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 @pytest.fixture(autouse=True)
 def nothing_outlives_its_test() -> Iterator[None]:
-    """End what a test that failed left: its open pipes would be another test's failure, so are these."""
+    """End commands that a failed test left, whose open pipes would fail another; refuse other leavings."""
     before = _process()
     yield
     while commands.STARTED:

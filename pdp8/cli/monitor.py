@@ -155,7 +155,7 @@ def _typed() -> Iterator[str]:
     while True:
         line: str | None = None
         try:
-            with leaving.taken(end, *leaving.ENDS):  # raised within prompt_toolkit, it might be lost
+            with leaving.taken(end, *leaving.ENDS):  # an exception may be lost within prompt_toolkit
                 line = session.prompt("pdp8> ", pre_run=leave)
         except KeyboardInterrupt:
             pass

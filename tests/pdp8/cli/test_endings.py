@@ -54,17 +54,17 @@ def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) ->
 
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize(("name", "first"), [("monitor", b"\x1b[?2004h"), ("panel", b"\x1b[?1049h")])
-def test_it_ends_so_as_it_takes_the_terminal_over(
+def test_it_ends_properly_while_it_takes_the_terminal_over(
     name: str, first: bytes, closed: bool, tmp_path: Path
 ) -> None:
     if name == "panel":
         pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
     terminal = Terminal("pdp8", *COMMANDS[name][0], folder=tmp_path, TERM="xterm-256color", LINES="30")
-    terminal.shows(first)
+    seen = terminal.until(first)
     if closed:
         os.close(terminal.file)
         assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
     else:
         terminal.process.send_signal(signal.SIGTERM)
         assert terminal.ended() == 128 + signal.SIGTERM
-        _assert_put_back(terminal, terminal.seen)
+        _assert_put_back(terminal, seen + terminal.seen)

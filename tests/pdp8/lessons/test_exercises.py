@@ -229,9 +229,7 @@ def test_what_a_task_does_not_say_is_listed() -> None:
     assert list(proof.untold(parse(text, "e"))) == []
 
 
-def test_a_slip_that_one_seed_does_not_notice_is_found_by_another() -> None:
-    """Without OSR the word is 0, which is right where 0 is drawn."""
-    text = f"""{HEAD}solution='''*200\n\tCLA OSR\n\tDCA A\n\tHLT\nA,\t0\n$\n'''
+PUT = f"""{HEAD}solution='''*200\n\tCLA OSR\n\tDCA A\n\tHLT\nA,\t0\n$\n'''
 [[random]]
 name='r'
 tests='t'
@@ -239,28 +237,24 @@ trials=1
 sr={{pick=[0, 1]}}
 compare=['A']
 """
-    drawn = {seed: parse(text, "e", seed).cases[0].trials[0].sr for seed in range(9)}
+
+
+def test_a_slip_that_one_seed_does_not_notice_is_found_by_another() -> None:
+    """Without OSR the word is 0, which is right where 0 is drawn."""
+    drawn = {seed: parse(PUT, "e", seed).cases[0].trials[0].sr for seed in range(9)}
     seed = next(seed for seed in range(8) if drawn[seed] == 0 != drawn[seed + 1])
-    found = proof.slips(lambda number: parse(text, "e", number), seed)
+    found = proof.slips(lambda number: parse(PUT, "e", number), seed)
     assert "line 2: CLA NOP for CLA OSR" in found.lucky
     assert "line 2: NOP OSR for CLA OSR" in found.survivors
     assert found.tried == found.number
     for most in (found.number, found.number - 1):
-        again = proof.slips(lambda number: parse(text, "e", number), seed, most)
+        again = proof.slips(lambda number: parse(PUT, "e", number), seed, most)
         assert (again.number, again.tried) == (found.number, most)
 
 
 def test_words_that_are_given_are_looked_at_beside_those_of_the_solution() -> None:
-    text = f"""{HEAD}solution='''*200\n\tCLA OSR\n\tDCA A\n\tHLT\nA,\t0\nB,\t7\n$\n'''
-[[random]]
-name='r'
-tests='t'
-trials=1
-sr={{pick=[5]}}
-core={{B=7}}
-compare=['A']
-"""
-    assert parse(text, "e", 1).cases[0].trials[0].core == {"A": 5, "B": 7}
+    drawn = parse(PUT + 'core={"0300"=0}\n', "e", 1).cases[0].trials[0]
+    assert drawn.core == {"A": drawn.sr, "0300": 0}
 
 
 def test_an_exercise_that_wants_one_way_of_writing_is_found_out() -> None:
