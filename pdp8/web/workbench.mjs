@@ -332,7 +332,7 @@ export class Bench {
 
   /** Give the link with that end; where the page is a file nobody else can open it, so a file is offered, if one could be. */
   async give(/** @type {string} */ end, file = false) {
-    readdress(end);
+    readdress(end, false, true);
     const { record: { url } } = this;
     const only = !url && location.protocol === "file:";
     let said = "The link is copied";
@@ -381,7 +381,7 @@ export class Bench {
     while (!pieces.next().done) if (room.open) await idle();
     if (this.programs.names().length) this.editor.begin();
     else this.editor.open("hello.pal", this.shelf.get("hello.pal").frames);
-    this.session.open();
+    const found = this.session.open();
     if (room.open) room.show(); // it is where the address says already
     else if (this.afternoon.asked !== null) this.afternoon.go(this.afternoon.asked);
     else await this.#asked();
@@ -390,13 +390,15 @@ export class Bench {
     this.show();
   }
 
-  async #asked() {
+  /** Open what the address holds, if it is not `known`: what a session has is later. */
+  async #asked(/** @type {boolean} */ known) {
     try {
-      const shared = await opened();
+      const shared = known ? null : await opened();
       if (shared) this.#open(shared);
     } catch (/** @type {any} */ error) {
       readdress("");
       this.say(`the link cannot be opened: ${error.message ?? error}`);
+      if (shared && shared.until === undefined && !shared.part) readdress(location.hash, false, true);
       return;
     }
     if (this.record.view) this.mill.cut(this.record.view);

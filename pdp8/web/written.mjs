@@ -12,9 +12,10 @@ export const LATER = null;
 /** In the address: the page opens at the desk. Behind it, as without it in the room, #t=SECONDS is an instant of the afternoon. */
 export const DESK = "#workbench";
 
-/** Let the address of the page have another end, without going there; `push` is whether one comes back by the browser's own key. */
-export function readdress(/** @type {string} */ end, push = false) {
-  history[push ? "pushState" : "replaceState"](null, "", location.href.replace(/#.*/, "") + end);
+/** Let the address of the page have another end, without going there; `push` is whether one comes back by the browser's own key;
+ *  `known`, whether what it holds is here already, and a reload finds what has become of it. */
+export function readdress(/** @type {string} */ end, push = false, known = false) {
+  history[push ? "pushState" : "replaceState"](known || null, "", location.href.replace(/#.*/, "") + end);
 }
 
 export function octal(/** @type {number} */ value, digits = 4) {

@@ -537,7 +537,7 @@ class Document extends Node {
 const document = new Document();
 
 /** Open a page of that HTML at an address, with what its browser and its tab have kept. `work`: what its Worker answers by. */
-export function open(source, address, { kept = {}, own = {}, reduced = false, work = null } = {}) {
+export function open(source, address, { kept = {}, own = {}, reduced = false, state = null, work = null } = {}) {
   parse(source, document);
   let here = new URL(address);
   const history = [here.href];
@@ -546,6 +546,7 @@ export function open(source, address, { kept = {}, own = {}, reduced = false, wo
     get href() { return here.href; }, get hash() { return here.hash; }, get search() { return here.search; }, get protocol() { return here.protocol; }, get pathname() { return here.pathname; },
     set hash(hash) {
       const before = here.hash;
+      globalThis.history.state = null;
       go(hash.startsWith("#") ? hash : `#${hash}`, true);
       if (before !== here.hash) later(() => view.dispatchEvent(new Event("hashchange")));
     },
@@ -581,7 +582,7 @@ export function open(source, address, { kept = {}, own = {}, reduced = false, wo
   Object.assign(globalThis, {
     window: globalThis, document, location, Event, CustomEvent: Event, KeyboardEvent: Event, HTMLElement: Element, Storage, Option, Worker, OffscreenCanvas, Path2D,
     ResizeObserver: Observer, IntersectionObserver: Observer, MutationObserver: Observer, CSS: { escape: (text) => String(text).replace(/[^\w-]/g, "\\$&"), supports: () => true },
-    history: { pushState: (_s, _t, href) => go(href, true), replaceState: (_s, _t, href) => go(href, false), entries: history },
+    history: { state, pushState(made, _, href) { this.state = made; go(href, true); }, replaceState(made, _, href) { this.state = made; go(href, false); }, entries: history },
     localStorage: Object.assign(new Storage(), kept), sessionStorage: Object.assign(new Storage(), own), matchMedia: media, getComputedStyle: (each) => ({ getPropertyValue: () => "", color: each.parentElement?.className }), getSelection: () => "", innerWidth: WIDE, innerHeight: HIGH, devicePixelRatio: 1,
     setTimeout: later, clearTimeout: (number) => due.delete(number), requestAnimationFrame: (act) => later(() => act(now), 1), cancelAnimationFrame: (number) => due.delete(number), requestIdleCallback: (act) => later(act),
     addEventListener: (...given) => view.addEventListener(...given), removeEventListener: (...given) => view.removeEventListener(...given), dispatchEvent: (event) => view.dispatchEvent(event),

@@ -1,4 +1,4 @@
-/* global Event, dispatchEvent, localStorage, location, sessionStorage */
+/* global Event, dispatchEvent, history, localStorage, location, sessionStorage */
 // A page on the small document, led by lines of JSON (small.py): the first says which, each other one has an answer.
 
 import { createInterface } from "node:readline";
@@ -47,5 +47,5 @@ for await (const line of asked) {
       } else await dom.settle();
     }
   } catch (thrown) { error = String(thrown?.stack ?? thrown); }
-  process.stdout.write(plain({ value, error, changes: changes(), own: mine(), address: location.href, reloaded: location.reloaded, complaints: dom.complaints.splice(0).map((each) => String(each?.stack ?? each)) }) + "\n");
+  process.stdout.write(plain({ value, error, changes: changes(), own: mine(), address: location.href, state: history.state, reloaded: location.reloaded, complaints: dom.complaints.splice(0).map((each) => String(each?.stack ?? each)) }) + "\n");
 }

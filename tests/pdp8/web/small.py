@@ -84,22 +84,23 @@ class Small:
     def __init__(self, context: Context) -> None:
         self.context = context
         self.own: dict[str, str] = {}
+        self.state: Any = None
         self.scripts: list[str] = []
         self.process: subprocess.Popen[str] | None = None
         self.url = "about:blank"
         self.keyboard = Keyboard(self)
         context.pages.append(self)
 
-    def goto(self, address: str) -> None:
+    def goto(self, address: str, state: Any = None) -> None:
         """Leave the page, and open another; only the end of the address may change."""
         self._leave()
-        self.url = address
+        self.url, self.state = address, state
         if address.startswith("about:"):
             return
         context = self.context
         given = {
             "file": str(context.file), "address": address, "scripts": self.scripts, "kept": context.kept,
-            "own": self.own, "reduced": context.reduced, "entry": context.entry,
+            "own": self.own, "reduced": context.reduced, "entry": context.entry, "state": self.state,
         }  # fmt: skip
         self.process = subprocess.Popen(
             [str(node.NODE), str(node.modules() / "served.mjs")],
@@ -109,7 +110,7 @@ class Small:
         self.process.stdin.write(json.dumps(given) + "\n")
 
     def reload(self) -> None:
-        self.goto(self.url)
+        self.goto(self.url, self.state)
 
     def close(self, run_before_unload: bool = False) -> None:
         """Close the tab."""
@@ -139,7 +140,7 @@ class Small:
         line = self.process.stdout.readline()
         assert line, "the page has ended"
         answer = json.loads(line)
-        self.url = answer["address"]
+        self.url, self.state = answer["address"], answer["state"]
         self.own = answer.get("own", self.own)
         self.context.tell(answer["changes"], self)
         assert not answer["complaints"], answer["complaints"]

@@ -416,3 +416,17 @@ def test_a_circle_within_another_tolerance(page: Page) -> None:
         click(page, "#save-cut")
     assert download.value.suggested_filename == "circle within 0.005 in.eia"
     assert download.value.path().read_bytes() == shelf.read_bundled("circle.eia")
+def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page: Page) -> None:
+    """For who made it as for who opened it."""
+    click(page, "#share")
+    until(page, "location.hash.startsWith('#s=')")
+    other = page.context.new_page()
+    other.goto(page.url)
+    until(other, "!!window.workbench?.ready")
+    for tab in (page, other):
+        assert tab.evaluate("workbench.machine.sr") == 0
+        click(tab, "#computer .rocker >> nth=0")
+        _reopened(tab)
+        assert tab.evaluate("workbench.machine.sr") == 0o4000
+
+
