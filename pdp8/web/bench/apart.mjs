@@ -40,9 +40,11 @@ export class Apart {
   ask(/** @type {string} */ what, /** @type {unknown[]} */ given, /** @type {number} */ seconds) {
     const worker = this.worker ?? this.#begin();
     const number = this.number++;
-    const made = new Promise((resolve, reject) => this.asked.set(number, { resolve, reject }));
+    const now = performance.now();
+    const due = Math.max(now, ...[...this.asked.values()].map((each) => each.due)) + seconds * 1000; // after what was asked before
+    const made = new Promise((resolve, reject) => this.asked.set(number, { due, resolve, reject }));
     worker.postMessage([number, what, given]);
-    const late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), seconds * 1000);
+    const late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), due - now);
     return made.finally(() => clearTimeout(late));
   }
 

@@ -237,6 +237,7 @@ export class Editor {
   }
 
   #found(/** @type {Found} */ found) {
+      if (text !== this.text) return;
     const { places, diagnostics, more, summary } = found;
     /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.name, text: this.text };
     /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();

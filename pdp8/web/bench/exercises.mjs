@@ -131,7 +131,7 @@ export class Exercises {
       put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
       if (!sheet) this.#offer(wrong);
     } catch (/** @type {any} */ error) {
-      put(find("marks"), html`<p>${error.message}</p>`);
+      if (name === this.name) put(find("marks"), html`<p>${error.message}</p>`);
     }
   }
 

@@ -58,8 +58,10 @@ export class Mill {
     const tolerance = TOLERANCES[Number(value)];
     /** @type {[number, string]} */ const asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")];
     this.asked = asked;
-    const frames = bytes(await this.bench.apart.ask("loosened", asked, TAKES));
+    const made = await this.bench.apart.ask("loosened", asked, TAKES).catch((/** @type {Error} */ { message }) => message);
     if (this.asked !== asked) return;
+    if (typeof made === "string") return void (find("loosened").textContent = made);
+    const frames = bytes(made);
     const { path, refusal } = carriedOut(frames);
     this.lay(`circle within ${inches(tolerance)} in`, frames, path, refusal);
     find("loosened").textContent = `${inches(tolerance)} in: ${grouped(this.path.cuts.length)} cuts, ${minutes(this.path.times.total)} minutes`;

@@ -18,8 +18,9 @@ export class Teletype {
     const sheet = (/** @type {"reader" | "punch"} */ which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
     this.name = "";
+    this.leverWaits = false;
     this.code = ASCII;
-    this.#clear();
+    this.clear();
     find("paper").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
     find("typed").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
       if (event.key !== "Enter") return;
@@ -44,21 +45,23 @@ export class Teletype {
     Object.assign(this, kept, { code: named(kept.code) });
   }
 
-  /** Call the tape in the reader by its name. */
-  named(/** @type {string} */ name, /** @type {Code} */ code) {
+  /** Call the tape in the reader by its name; the lever of another machine waits no more. */
+  named(/** @type {string} */ name, /** @type {Code} */ code, waits = false) {
     this.name = name;
+    this.leverWaits = waits;
     /** @type {Code} */ this.code = code ?? BLANK_TAPE;
   }
 
-  #clear() {
+  /** Begin a fresh paper: what is on it comes from another place. */
+  clear() {
     /** @type {Paper} */ this.paper = new Paper(LINES);
     /** @type {number} */ this.taken = 0;
-    /** @type {number} */ this.drawn = 0;
+    /** @type {number} */ this.drawn = -1;
   }
 
   /** Type what has been printed since the last look. */
   #page(/** @type {ArrayLike<number>} */ frames) {
-    if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.#clear();
+    if (frames.length < this.taken || Boolean(this.terminal) !== this.typed) this.clear();
     else if (frames.length === this.taken && this.drawn === this.taken) return;
     this.typed = Boolean(this.terminal);
     for (; this.taken < frames.length; this.taken++) this.#sound(this.paper.take(frames[this.taken]));
@@ -143,7 +146,7 @@ export class Teletype {
    */
   mount(/** @type {string} */ name) {
     this.bench.touch(({ processor, teletype: { reader } }) => {
-      this.named(name, this.bench.shelf.get(name).code);
+      this.named(name, this.bench.shelf.get(name).code, this.leverWaits);
       if (reader.on && !processor.run) {
         reader.lever(false);
         this.leverWaits = true;

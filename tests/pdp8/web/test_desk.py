@@ -1,5 +1,7 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
+import re
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -9,7 +11,9 @@ from pdp8.lessons import form, student
 from pdp8.lessons.course import COURSE
 from programs import circle
 from tests.conftest import Call
-from tests.pdp8.web.browsing import Browser, Page, click, in_chromium, until, visit
+from tests.pdp8.web import small
+from tests.pdp8.web.browsing import DESK, Browser, Page, click, in_chromium, until, visit
+from tests.pdp8.web.node import needs_node
 
 HALT = "*200\n\tHLT\n$\n"
 
@@ -180,6 +184,93 @@ def _visited_again(page: Page) -> Page:
     other.goto(address)
     until(other, "!!window.workbench?.ready")
     return other
+
+
+_ASKS = {
+    "checked": ("editor.text += '/'", "#program-says", "editor.text += '/'"),
+    "booted": ("editor.boot()", "#next", ""),
+    "loosened": ("mill.loosen({ value: '5' })", "#loosened", "mill.cut('circle.eia')"),
+    "marks": ("exercises.markOpen()", "#marks", "exercises.open('larger')"),
+    "located": (
+        "exercises.marked = workbench.editor.text; workbench.exercises.where({ value: 'x' })",
+        "#next",
+        "",
+    ),
+    "printout": ("parts.punch()", "#part-punched", ""),
+    "translated": ("parts.mill('x.eia')", "#part-is-cut", ""),
+}
+"""{what a Worker is asked: (the statement that asks, where a refusal is said, what makes it out of date)}."""
+_REFUSED = """(refused) => {
+  const { apart } = workbench, ask = window.ask ??= apart.ask;
+  const refuse = (_, no) => setTimeout(() => no(new Error(`${refused} is refused`)), 400);
+  apart.ask = (what, ...given) => (what === refused ? new Promise(refuse) : ask.call(apart, what, ...given));
+}"""
+
+
+def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
+    """Whatever is asked; and nowhere once something else was opened meanwhile."""
+    sources = "".join(file.read_text() for file in (Path(shelf.__file__).parent / "web").glob("bench/*.mjs"))
+    assert set(re.findall(r'\bask\("(\w+)"', sources)) == set(_ASKS)
+    page.wait_for_timeout(600)  # what is open at first has been looked at
+    for name, (asks, place, then) in _ASKS.items():
+        page.evaluate(_REFUSED, name)
+        for later in ("", then) if then else ("",):
+            page.evaluate(f"() => {{ workbench.{asks}; }}")
+            page.wait_for_timeout(300)
+            page.evaluate(f"() => {{ workbench.{later or 'show()'}; }}")
+            page.wait_for_timeout(500)
+            said = page.locator(place)
+            assert (f"{name} is refused" in said.evaluate("(it) => it.textContent")) is (not later), (
+                name,
+                later,
+            )
+            said.evaluate("(it, later) => { if (later) it.textContent = ''; }", bool(then))
+            page.wait_for_timeout(300)
+
+
+_DONE = (
+    "editor.open('x.pal', workbench.shelf.get('hello.pal').frames); workbench.editor.run();",
+    "teletype.key({ value: 65 }); workbench.teletype.lever(); workbench.teletype.punchOn();",
+    "machine.teletype.reader.lever(true); workbench.teletype.mount('hello.pal');",
+    "editor.run(); workbench.time.toggle(); workbench.time.toggle(); workbench.core.runUntil();",
+    "drives.mount('one.tu56', new Uint8Array(380292));",
+    "switches.press('sing step'); workbench.switches.press('mem prot'); workbench.switches.press('start');",
+    "switches.card.toggle(); workbench.switches.flip({ value: 3 }); workbench.switches.press('load add');",
+    "editor.count({ checked: true }); workbench.editor.mark({ value: 130 }); workbench.editor.run();",
+    "touch(({ highspeed: { punch, reader } }) => (reader.load([1, 2]), punch.frames.append(1)));",
+)
+"""What a visitor may do at the machine."""
+_THERE = (
+    r"machine |\.(?!program|speed|own)"
+    r"|#(clock|why|play|next|computer|registers|paper|block@hidden|reader|lever|punch|pc8)\b"
+)
+_CHANGED = """([before, there]) => {
+  const now = walk.state(), all = [...new Set([...Object.keys(before), ...Object.keys(now)])];
+  return all.filter((name) => new RegExp(`^(${there})`).test(name) && before[name] !== now[name])
+    .map((name) => `${name}: ${now[name]}`);
+}"""
+
+
+_BACK = ("take(new File([window.held], 'a.state'))", "afternoon.go(3.8e10)")
+
+
+@needs_node
+def test_nothing_of_the_machine_before_is_left(file: Path) -> None:
+    """A saved machine that is opened, and an instant of the afternoon, are the same whatever was done."""
+    with small.visit(file, DESK) as page:
+        page.evaluate("() => { window.held = workbench.drives.bare(workbench.machine); }")
+        page.evaluate(f"() => {{ workbench.{_BACK[1]}; workbench.editor.back(); workbench.touched(); }}")
+        states: dict[str, dict[str, str]] = {}
+        for done, back in product(("show();", *_DONE), _BACK):
+            page.evaluate(f"() => {{ workbench.{done} }}")
+            page.wait_for_timeout(400)
+            page.evaluate(f"async () => {{ await workbench.{back}; }}")
+            page.wait_for_timeout(400)
+            if back == _BACK[1]:
+                shown = page.evaluate("workbench.editor.area.readOnly && workbench.editor.text")
+                assert shown == shelf.read_bundled("rim.pal").decode("ascii"), done
+            before = states.setdefault(back, page.evaluate("walk.state()"))
+            assert page.evaluate(_CHANGED, [before, _THERE]) == [], (done, back)
 
 
 @in_chromium
@@ -362,6 +453,20 @@ def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
     assert page.evaluate(f"[...{core}]") == words
 
 
+def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page: Page) -> None:
+    """For who made it as for who opened it."""
+    click(page, "#share")
+    until(page, "location.hash.startsWith('#s=')")
+    other = page.context.new_page()
+    other.goto(page.url)
+    until(other, "!!window.workbench?.ready")
+    for tab in (page, other):
+        assert tab.evaluate("workbench.machine.sr") == 0
+        click(tab, "#computer .rocker >> nth=0")
+        _reopened(tab)
+        assert tab.evaluate("workbench.machine.sr") == 0o4000
+
+
 def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
     """The form for students, without what is hidden, is marked by a Worker; a link leads to a bundled one."""
     exercise = form.read("delay", student.SEED)
@@ -416,17 +521,3 @@ def test_a_circle_within_another_tolerance(page: Page) -> None:
         click(page, "#save-cut")
     assert download.value.suggested_filename == "circle within 0.005 in.eia"
     assert download.value.path().read_bytes() == shelf.read_bundled("circle.eia")
-def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page: Page) -> None:
-    """For who made it as for who opened it."""
-    click(page, "#share")
-    until(page, "location.hash.startsWith('#s=')")
-    other = page.context.new_page()
-    other.goto(page.url)
-    until(other, "!!window.workbench?.ready")
-    for tab in (page, other):
-        assert tab.evaluate("workbench.machine.sr") == 0
-        click(tab, "#computer .rocker >> nth=0")
-        _reopened(tab)
-        assert tab.evaluate("workbench.machine.sr") == 0o4000
-
-
