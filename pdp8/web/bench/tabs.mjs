@@ -37,7 +37,7 @@ export class Tabs {
 
   open(/** @type {string} */ opened) {
     const { bench, list } = this;
-    if (list.parentElement.hidden) return;
+    if (list.parentElement.hidden || [...list.children].some((tab) => tab.hidden && tab.dataset.opens === opened)) return;
     this.#show(opened);
     bench.show();
     if (!bench.afternoon.on && list.getBoundingClientRect().top < 0) list.scrollIntoView();
