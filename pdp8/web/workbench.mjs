@@ -273,9 +273,9 @@ export class Bench {
   #standing(/** @type {Machine} */ machine) {
     this.afternoon.takeOver();
     this.adopt(machine, true);
-    this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
     this.teletype.clear(); // another machine's paper
     this.touched();
+    this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
     if (machine.processor.run) this.say("It was running when it was saved");
   }
 
@@ -316,7 +316,7 @@ export class Bench {
 
   /** Give a link to the program and the machine, or, where it would be too long, a file of them. */
   async share() {
-    const { name, text } = this.editor;
+    const { called: name, text } = this.editor;
     const state = JSON.parse(save(this.machine));
     const { format, version } = state;
     const machine = shortened(state, JSON.parse(save(new Machine(one_of_each()))), this.#bundled());

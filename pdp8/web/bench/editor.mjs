@@ -35,7 +35,7 @@ export class Editor {
     this.area = find("source");
     this.behind = this.area.previousElementSibling;
     this.counts = new Counts();
-    this.name = "";
+    this.name = this.laid = "";
     this.before = ""; // the text as it was kept or opened
     this.now = /** @type {number | null} */ (null); // the line that the processor is in
     this.#found({ ok: false, tape: bytes(), words: [], places: [], diagnostics: [], more: 0, summary: "" });
@@ -45,7 +45,7 @@ export class Editor {
     this.area.addEventListener("pointerdown", () => this.#write(true));
     this.area.addEventListener("blur", () => this.#write(false));
     new ResizeObserver(() => this.#draw()).observe(this.area);
-    addEventListener("beforeprint", () => bench.room.open || put(find("printed"), html`<h2>${this.name}</h2><pre>${assembled(this.name, this.text).listing}</pre>`));
+    addEventListener("beforeprint", () => bench.room.open || put(find("printed"), html`<h2>${this.called}</h2><pre>${assembled(this.called, this.text).listing}</pre>`));
     addEventListener("afterprint", () => put(find("printed"), ""));
   }
 
@@ -62,6 +62,11 @@ export class Editor {
     } catch (/** @type {any} */ error) {
       bench.say(error.message);
     }
+  }
+
+  /** The name of what is shown: of the program, or of a source that is only read. */
+  get called() {
+    return this.area.readOnly ? this.laid : this.name;
   }
 
   get text() {
@@ -134,6 +139,7 @@ export class Editor {
   /** Show the source of what is in core, to be read. */
   lay(/** @type {string} */ name) {
     this.keep();
+    this.laid = name;
     this.area.readOnly = true;
     this.#show(new TextDecoder().decode(this.bench.shelf.get(name).frames));
     this.#say(html`${name} is in core. <button class="text" data-click="editor.back">Back to ${this.name}</button>`);
@@ -207,8 +213,8 @@ export class Editor {
     const kind = list.value;
     list.value = "";
     if (!kind || (kind !== "pal" && !this.assemble())) return;
-    const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.name, this.text).listing };
-    this.bench.download(`${this.name.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
+    const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.called, this.text).listing };
+    this.bench.download(`${this.called.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
   }
 
   #say(/** @type {unknown} */ content) {
@@ -231,15 +237,15 @@ export class Editor {
       const found = await bench.apart.ask("checked", [name, text], SECONDS);
       if (text === this.text) this.#found(found);
     } catch (/** @type {any} */ error) {
+      if (text !== this.text) return;
       if (!bench.apart.worker) this.#found(checked(name, text));
       else this.#say(error.message);
     }
   }
 
   #found(/** @type {Found} */ found) {
-      if (text !== this.text) return;
     const { places, diagnostics, more, summary } = found;
-    /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.name, text: this.text };
+    /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.called, text: this.text };
     /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();
     /** @type {Map<number, number>} */ this.lineAt = new Map(places.map(([line, address]) => /** @type {[number, number]} */ ([address, line])).reverse());
     for (const [line, address, word] of places) if (address < CORE && !this.places.has(line)) this.places.set(line, { address, word });
@@ -350,7 +356,7 @@ export class Editor {
   /** Assemble what is there; return whether it has no errors. */
   assemble() {
     this.keep();
-    const { name, text } = this;
+    const { called: name, text } = this;
     if (this.assembly?.name !== name || this.assembly.text !== text) this.#found(checked(name, text));
     return this.assembly.ok;
   }

@@ -27,7 +27,7 @@ export class Exercises {
   }
 
   set kept(name) {
-    this.open(name);
+    if (this.all.has(name)) this.#show(name); // the editor finds its own program
   }
 
   /** Take an exercise from a file or a link, and open it. Throws where it is none. */
@@ -37,8 +37,10 @@ export class Exercises {
     } catch (/** @type {any} */ error) {
       throw new Error(`${name}: no exercise: ${error.message}`, { cause: error });
     }
+    const text = JSON.stringify(tables);
+    if (this.given.get(name) !== text) this.marks.remove(name); // it was of another exercise
     this.all.set(name, tables);
-    this.given.keep(name, JSON.stringify(tables));
+    this.given.keep(name, text);
     this.open(name);
     this.bench.tabs.open("exercises");
   }
@@ -103,6 +105,7 @@ export class Exercises {
 
   begin() {
     const { editor, programs, tabs } = this.bench;
+    editor.keep();
     editor.put(this.#answer, programs.get(this.#answer) ?? BEGUN.replace("NAME", this.all.get(this.name).title));
     tabs.open("exercises");
     editor.enter();
@@ -119,16 +122,19 @@ export class Exercises {
   async markOpen() {
     const { apart, editor } = this.bench;
     const { name, sheet } = this;
+    if (editor.area.readOnly) editor.back(); // a source that is only read answers nothing
     const tables = this.all.get(name);
     const lines = [...find("asked").querySelectorAll("input")].map((input) => `${input.name}: ${input.value}\n`);
     const called = sheet ? name : editor.name;
+    const text = sheet ? lines.join("") : editor.text;
     put(find("marks"), html`<p>Marking …</p>`);
     try {
-      const { right, points, of, said, wrong } = await apart.ask("marks", [tables, called, sheet ? lines.join("") : editor.text], SECONDS);
+      const { right, points, of, said, wrong } = await apart.ask("marks", [tables, called, text], SECONDS);
       this.marks.keep(name, JSON.stringify([points, of, right]));
       this.#list();
       if (name !== this.name) return;
       put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
+      this.marked = text;
       if (!sheet) this.#offer(wrong);
     } catch (/** @type {any} */ error) {
       if (name === this.name) put(find("marks"), html`<p>${error.message}</p>`);
@@ -147,6 +153,7 @@ export class Exercises {
   /** Let the machine run from START to the place where the program goes wrong in a case; from there one can go back. */
   async where(/** @type {HTMLInputElement} */ { value }) {
     const { apart, editor } = this.bench;
+    if (editor.text !== this.marked) return this.bench.say("This is not what was marked: mark it again");
     try {
       const { says, state, until } = await apart.ask("located", [this.all.get(this.name), editor.name, editor.text, value], SECONDS);
       this.bench.lead(state, until, `${value}: ${says}`);

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from pdp8 import shelf
+from pdp8.lessons import form
 from pdp8.web import method
 from tapes import binary
 from tests.pdp8.web import small
@@ -40,7 +41,7 @@ window.driver = {
     for (const each of events) field.dispatchEvent(new Event(each, { bubbles: true }));
   },
   facts() {
-    const { afternoon, editor, machine, programs, room, shelf, teletype } = workbench;
+    const { afternoon, editor, exercises, machine, programs, room, shelf, teletype } = workbench;
     const marked = (name) => {
       const button = document.querySelector(`#computer [data-key="${name}"]`);
       return (button.ariaPressed ?? button.ariaChecked) === "true";
@@ -48,7 +49,7 @@ window.driver = {
     return {
       programs: Object.fromEntries(programs.names().map((name) => [name, programs.get(name)])),
       program: editor.name, text: editor.text, shown: document.getElementById("program-name").value,
-      led: afternoon.on, playing: afternoon.playing,
+      exercise: exercises.name, led: afternoon.on, playing: afternoon.playing,
       over: afternoon.on && afternoon.script.now >= afternoon.script.end,
       room: room.open,
       sr: machine.processor.sr,
@@ -83,6 +84,7 @@ class Model:
         self.sr, self.step, self.protect = 0, False, False
         self.tapes: list[str] = []
         self.mounted = ""
+        self.exercise = "add"
         self.led = self.playing = False
         self.laid = False
         """Whether the story's source lies over the program, to be read."""
@@ -97,7 +99,7 @@ class Model:
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
             self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
-            self.other_tab: 1, self.refuse: 1,
+            self.other_tab: 1, self.refuse: 1, self.answer: 2,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -125,7 +127,7 @@ class Model:
             "programs": self.programs, "program": self.program,
             "led": self.led, "playing": self.playing, "room": False,
             "tapes": self.tapes, "unit": self.unit, "speed": self.speed,
-            "refused": self.refuses,
+            "refused": self.refuses, "exercise": self.exercise,
         }  # fmt: skip
         if not self.laid:
             expected |= {"text": self.text, "shown": self.program}
@@ -188,6 +190,17 @@ class Model:
         name = self.draw.choice([*self.programs])
         self._put("#sources", name, "change")
         self._turn(name)
+
+    def answer(self) -> None:
+        """Open an exercise, and the program that answers it."""
+        if self.refuses or self.led:
+            return
+        self.exercise = self.draw.choice(("add", "larger"))
+        self._put("#exercise", self.exercise, "change")
+        self._click("#asked [data-click='exercises.begin']")
+        begun = f"/ {form.read(self.exercise).title}\n*200\n\tHLT\n$\n"
+        self.programs.setdefault(f"{self.exercise}.pal", begun)
+        self._turn(f"{self.exercise}.pal")
 
     def remove_and_undo(self) -> None:
         if self.refuses or self.laid:
