@@ -209,6 +209,7 @@ export class Bench {
   }
 
   browse() {
+    find("file").value = ""; // the same file once more is a change, too
     find("file").click();
   }
 
@@ -274,8 +275,8 @@ export class Bench {
     this.afternoon.takeOver();
     this.adopt(machine, true);
     this.teletype.clear(); // another machine's paper
-    this.touched();
     this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
+    this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");
   }
 
@@ -386,7 +387,7 @@ export class Bench {
     const found = this.session.open();
     if (room.open) room.show(); // it is where the address says already
     else if (this.afternoon.asked !== null) this.afternoon.go(this.afternoon.asked);
-    else await this.#asked();
+    else await this.#asked(found && history.state && !document.body.classList.contains("embed"));
     this.ready = true;
     addEventListener("hashchange", () => this.#went());
     this.show();
@@ -397,10 +398,10 @@ export class Bench {
     try {
       const shared = known ? null : await opened();
       if (shared) this.#open(shared);
+      if (shared && shared.until === undefined && !shared.part) readdress(location.hash, false, true);
     } catch (/** @type {any} */ error) {
       readdress("");
       this.say(`the link cannot be opened: ${error.message ?? error}`);
-      if (shared && shared.until === undefined && !shared.part) readdress(location.hash, false, true);
       return;
     }
     if (this.record.view) this.mill.cut(this.record.view);

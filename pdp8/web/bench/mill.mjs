@@ -70,7 +70,7 @@ export class Mill {
 
   /** Show the path of a tape: what of it is cut, and what is still to come; `band` is that of the curve, if it is known. */
   lay(/** @type {string} */ name, /** @type {Bytes} */ frames, /** @type {Path | null} */ path, refusal = "", /** @type {any} */ band = null) {
-    if (this.path === path) return;
+    if (path && this.path === path) return;
     this.path = /** @type {Path} */ (path);
     this.name = name;
     this.tape = { label: name, code: EIA, frames, first: frames.findIndex((frame) => frame !== 0) };

@@ -37,7 +37,7 @@ export class Registers {
       core: wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–",
       instructions: grouped(processor.instructions),
       "since START": processor.instructions ? seconds(machine.ticks) : "–",
-      next: meaning(processor.core[processor.pc], processor.pc)[0],
+      next: meaning(processor.core[processor.extension.inst_field | processor.pc], processor.pc)[0],
     };
   }
 

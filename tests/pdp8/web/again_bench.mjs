@@ -34,12 +34,11 @@ export const cases = {
     Object.assign(location, { reload: () => (loaded += 1) });
     page.heard = {};
     rest();
-    page.hear("pointerdown");
-    page.hear("keydown");
+    for (const kind of ["pointerdown", "pointermove", "wheel", "keydown", "scroll"]) page.hear(kind);
     const waits = [...due.values()];
     Object.assign(globalThis, before);
     waits.forEach(([act]) => act());
-    return [[RESTS, waits.length, waits[0][1], loaded], [12, 1, 12000, 1]];
+    return [[RESTS, count, waits.length, waits[0][1], loaded], [12, 5, 1, 12000, 1]];
   },
   "it rests after ten seconds at the least, and only where it is asked": async () => {
     const seen = [];
@@ -85,8 +84,8 @@ export const cases = {
     mill.follow(-1);
     seen.push(head(), find("whole-label").textContent.startsWith("waits for its tape"), find("refusal").textContent);
     seen.push(/within [−+]\d\.\d{4} and [−+]\d\.\d{4}$/.test(find("close-label").textContent));
-    mill.lay("b.eia", frames, null, "Refused: it");
-    return [[seen, mill.summary], [[[false, false], [false, false], [true, true], "3", true, "", true], "Refused: it"]];
+    for (const name of ["b", "c"]) mill.lay(`${name}.eia`, frames, null, `Refused: ${name}`);
+    return [[seen, mill.summary, mill.name], [[[false, false], [false, false], [true, true], "3", true, "", true], "Refused: c", "c.eia"]];
   },
   "speeds go no further than the first and the last": async () => {
     const { Time } = await get("bench/time");
@@ -262,8 +261,12 @@ export const cases = {
     const five = await soonMade;
     await soon(30);
     apart.worker?.onmessage({ data: [5, "in its own time"] });
-    return [[ended, other, await three, await four, posted[0], posted[1].length, five, await laterMade],
-      [[late, late, null, 0], true, "made", "why not", [7, 3], 3, "in time", "in its own time"]];
+    const { setTimeout: real } = globalThis, limits = [];
+    globalThis.setTimeout = (_, after) => limits.push(Math.round(after / 1000)); // what waits for another has its time after it
+    for (const seconds of [9, 20, 5]) void apart.ask("g", [], seconds);
+    globalThis.setTimeout = real;
+    return [[ended, other, await three, await four, posted[0], posted[1].length, five, await laterMade, limits],
+      [[late, late, null, 0], true, "made", "why not", [7, 3], 3, "in time", "in its own time", [9, 29, 34]]];
   },
   "a tab above the window is brought there, but not while the afternoon plays": async () => {
     const { Tabs } = await get("bench/tabs");
@@ -281,8 +284,10 @@ export const cases = {
       made.open("pane 1");
       seen.push([list.brought, panes.map(({ hidden }) => hidden), made.kept]);
     }
+    made.only(["pane 0"]); // in the frame of another page: what was open at the desk is not there
+    seen.push(...[nothing, () => (made.kept = "pane 1"), () => made.open("pane 1")].map((act) => (act(), panes.map(({ hidden }) => hidden))));
     page.querySelectorAll = () => [];
-    return [seen, [0, 0, 1].map((brought) => [brought, [true, false], "pane 1"])];
+    return [seen, [...[0, 0, 1].map((brought) => [brought, [true, false], "pane 1"]), ...Array(3).fill([false, true])]];
   },
   "a drawing takes the colours of the day and of the night": async () => {
     const { Sheet } = await get("sheet");
@@ -556,6 +561,10 @@ export const cases = {
       drives.mount(name, frames);
       seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
     }
+    for (const size of [0o10000, 0o100000]) { // one that has more than 8K keeps it
+      const large = await desk({ remember: nothing, machine: new bench.machine.constructor([], size), like: (own, more, held) => (seen.push(held), bench.like(own, more, held)) });
+      new Drives(large).mount("a", frames);
+    }
     seen.push(bench.machine.held, bench.machine.devices.filter((each) => each instanceof TC08).length, bench.machine.watch.breakpoints === watch.breakpoints);
     const [drive] = drives.control.drives;
     const shown = [0, 0.5, 1].map((part) => {
@@ -576,7 +585,7 @@ export const cases = {
     const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
     const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
     return [[seen, shown], [
-      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 8192, 1, true, [true, false],
+      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
         ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2],
       [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],
         [`translate(10 10) rotate(${half})`, 6.96, `translate(30 10) rotate(${half})`, 6.96, `${all}block 1341, at rest`],

@@ -44,6 +44,11 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     until(page, "!!window.workbench?.ready")
     assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]
     assert row.is_hidden()  # a reel is too large to be kept
+    page.evaluate(
+        "() => { const { processor: p } = workbench.machine; p.extension.inst_field = 0o10000;"
+        " p.deposit(0o10000 | p.pc, 0o7041); workbench.show(); }"
+    )
+    assert "7041 CIA" in page.locator("[data-register=next]").inner_text(), "in field 1"
 
 
 def test_a_file_that_is_no_reel_changes_nothing(browser: Browser, file: Path, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ import random
 
 import pytest
 
+from pdp8.computer.past.state import save
 from pdp8.lessons import form, handed, marking, student, where
 from pdp8.lessons.answer import assembled
 from pdp8.lessons.exercise import Exercise
@@ -44,7 +45,9 @@ def test_the_page_marks_as_the_command_does() -> None:
 
 @needs_node
 def test_the_page_finds_the_place_that_the_command_finds() -> None:
-    """Of a wrong answer to each of some exercises: what it says, and how far from START it is."""
+    """Of a wrong answer to each of some exercises: what it says, the machine at START, also a second
+    one, and how far from there it is.
+    """
     asked, wanted = [], []
     for name in ("add", "echo", "larger", "message", "multiply", "step-wise"):
         exercise = form.read(name)
@@ -59,8 +62,10 @@ def test_the_page_finds_the_place_that_the_command_finds() -> None:
         asked.append(
             ("pdp8/web/bench/marker", "located", student.whole(exercise), "a.pal", source, case.name)
         )
-        wanted.append((place.says, place.instructions))
-    assert [(each["says"], each["until"]) for each in called(*asked)] == wanted
+        machine = where.standing(answer, whole, failed.outcome.number)
+        wanted.append((place.says, place.instructions, json.loads(save(machine))))
+    there = [(each["says"], each["until"], json.loads(each["state"])) for each in called(*asked)]
+    assert there == wanted
 
 
 _ODD = (
