@@ -32,7 +32,9 @@ IDLE = """(() => {
 """The processor is stopped, and no device has anything to do."""
 NEWEST = 20
 """Tapes that a reload finds again."""
-DRIVER = """
+DRIVER = (
+    Path(__file__).with_name("stale.mjs").read_text(encoding="utf-8")
+    + """
 window.driver = {
   click(selector) { document.querySelector(selector).click(); },
   put(selector, value, ...events) {
@@ -49,7 +51,7 @@ window.driver = {
     return {
       programs: Object.fromEntries(programs.names().map((name) => [name, programs.get(name)])),
       program: editor.name, text: editor.text, shown: document.getElementById("program-name").value,
-      exercise: exercises.name, led: afternoon.on, playing: afternoon.playing,
+      stale: stale(), exercise: exercises.name, led: afternoon.on, playing: afternoon.playing,
       over: afternoon.on && afternoon.script.now >= afternoon.script.end,
       room: room.open,
       sr: machine.processor.sr,
@@ -64,6 +66,7 @@ window.driver = {
   },
 };
 """
+)
 
 REFUSING = """() => {
   const { setItem } = Storage.prototype;
@@ -85,6 +88,7 @@ class Model:
         self.tapes: list[str] = []
         self.mounted = ""
         self.exercise = "add"
+        self.held: tuple[int, bool, bool, list[int]] | None = None
         self.led = self.playing = False
         self.laid = False
         """Whether the story's source lies over the program, to be read."""
@@ -99,7 +103,7 @@ class Model:
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
             self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
-            self.other_tab: 1, self.refuse: 1, self.answer: 2,
+            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -127,7 +131,7 @@ class Model:
             "programs": self.programs, "program": self.program,
             "led": self.led, "playing": self.playing, "room": False,
             "tapes": self.tapes, "unit": self.unit, "speed": self.speed,
-            "refused": self.refuses, "exercise": self.exercise,
+            "refused": self.refuses, "stale": [], "exercise": self.exercise,
         }  # fmt: skip
         if not self.laid:
             expected |= {"text": self.text, "shown": self.program}
@@ -248,6 +252,18 @@ class Model:
         self.sr = 0o200
         self.punched.append(int(self.text.split("C,\t")[1].split("\n")[0], 8))
 
+    def restore(self) -> None:
+        """Save the machine, or open the one that was saved."""
+        if self.led:
+            return
+        if not self.held:
+            self.page.evaluate("() => { window.held = workbench.drives.bare(workbench.machine); }")
+            self.held = self.sr, self.step, self.protect, [*self.punched]
+            return
+        self.page.evaluate("() => workbench.take(new File([window.held], 'held.state'))")
+        (self.sr, self.step, self.protect, self.punched), self.held = self.held, None
+        self.mounted = ""
+
     # Tapes
 
     def drop(self) -> None:
@@ -367,6 +383,7 @@ class Model:
         self.page.evaluate(DRIVER)
         self.tapes = self.tapes[-NEWEST:]
         self.laid = False
+        self.held = None
 
     def other_tab(self) -> None:
         """Another tab has other settings, and is closed last: this one finds its own."""

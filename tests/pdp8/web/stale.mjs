@@ -1,0 +1,33 @@
+/* global document, window, workbench */
+// What the desk shows and is not so, once nothing moves: [[what, as it is shown, as it is], ...] (model.py).
+
+window.stale = () => {
+  const { afternoon, clock, editor, mill, teletype, machine, machine: { link, ac, processor, watch, highspeed: fast } } = workbench;
+  const { printer, punch, reader } = machine.teletype, at = (id) => document.getElementById(id);
+  if (clock.pictures.running || afternoon.playing) return [];
+  const all = (selector) => [...document.querySelectorAll(selector)], text = (selector) => document.querySelector(selector).textContent;
+  const octal = (word) => word.toString(8).padStart(4, "0"), count = (number) => number.toLocaleString("en").replaceAll(",", "\u202f");
+  const paper = new teletype.paper.constructor(400);
+  for (const frame of printer.frames) paper.take(frame);
+  const tape = teletype.terminal ?? punch, here = (value) => watch.breakpoints.has(Number(value));
+  const pairs = {
+    paper: teletype.terminal ? [] : [text("#paper pre"), paper.lines.join("\n")],
+    lever: [text("#lever"), `Lever to ${reader.on ? "STOP" : "START"}`],
+    punch: [text("#punch-on"), `Turn punch ${punch.on ? "OFF" : "ON"}`],
+    reader: [text("#reader .name"), reader.loaded ? `${teletype.name} ${count(reader.position)} of ${count(reader.tape.length)}`.trim() : "no tape"],
+    punched: [text("#punch .name"), `${count(tape.frames.length)} frames`],
+    fast: [text("#pc8-punch"), `${count(fast.punch.frames.length)} frames punched`],
+    tear: [["tear", "store", "to-mill", "pc8-tear"].map((id) => at(id).disabled), [punch, punch, punch, fast.punch].map(({ frames }) => !frames.length)],
+    load: [["load", "boot"].map((id) => at(id).disabled), [!editor.places.size, !editor.places.size]],
+    mill: [["run-mill", "save-cut"].map((id) => at(id).disabled), [!mill.drawing, !mill.tape]],
+    switches: [all("#computer .rocker").map((each) => Number(each.ariaChecked === "true")), [...Array(12).keys()].map((bit) => (processor.sr >> (11 - bit)) & 1)],
+    registers: [all("#registers input").map((each) => each.value), [link, ...[ac, processor.pc].map(octal)].map(String)],
+    core: at("debugger").hidden ? [] : [all("#core td input").map((each) => each.value), [...processor.core.slice(workbench.core.first, workbench.core.first + 128)].map(octal)],
+    breakpoints: [all("#gutter button").filter((each) => (each.ariaPressed === "true") !== here(each.value)).length, 0],
+    lines: [["#gutter", "#blocks", "#card"].filter((id) => all(`${id} .now`).length > 1), []],
+    tabs: [all("[role=tab]").filter((each) => each.ariaSelected === "true").length, 1],
+    units: [workbench.time.unit, document.querySelector("#units :checked").value],
+    speed: [String(clock.speed), at("speed").value],
+  };
+  return Object.entries(pairs).filter(([, [seen, is]]) => String(seen) !== String(is)).map(([name, pair]) => [name, ...pair]);
+};
