@@ -387,39 +387,41 @@ export class Bench {
     const found = this.session.open();
     if (room.open) room.show(); // it is where the address says already
     else if (this.afternoon.asked !== null) this.afternoon.go(this.afternoon.asked);
-    else await this.#asked(found && history.state && !document.body.classList.contains("embed"));
+    else if (await this.#linked(found && history.state && !document.body.classList.contains("embed"))) this.#begins();
     this.ready = true;
     addEventListener("hashchange", () => this.#went());
     this.show();
   }
 
-  /** Open what the address holds, if it is not `known`: what a session has is later. */
-  async #asked(/** @type {boolean} */ known) {
+  /** Open what the address holds, if it is not `known`: what a session has is later. Return whether it could be. */
+  async #linked(/** @type {boolean} */ known) {
     try {
       const shared = known ? null : await opened();
       if (shared) this.#open(shared);
       if (shared && shared.until === undefined && !shared.part) readdress(location.hash, false, true);
+      return true;
     } catch (/** @type {any} */ error) {
       readdress("");
       this.say(`the link cannot be opened: ${error.message ?? error}`);
-      return;
+      return false;
     }
-    if (this.record.view) this.mill.cut(this.record.view);
-    else if (document.body.classList.contains("embed")) this.#embedded();
   }
 
-  /** The address is another one: one has gone back or forward, or to an instant. */
+  /** The address is another one: one has gone back or forward, to an instant or a link. */
   #went() {
     const { afternoon, afternoon: { asked }, room } = this;
-    if (location.hash.startsWith(DESK)) {
+    const link = /^#(s|exercise)=/.test(location.hash);
+    if (link || location.hash.startsWith(DESK)) {
       if (room.open) room.leave();
       if (asked !== null) afternoon.go(asked);
+      if (link && !history.state) this.#linked(false);
     } else if (asked !== null || !location.hash) room.enter(asked);
   }
 
-  /** Some panes alone: an afternoon plays on them. */
-  #embedded() {
-    if (this.record.opens) this.afternoon.watch();
+  /** A tape is cut; on some panes alone an afternoon plays. */
+  #begins() {
+    if (this.record.view) this.mill.cut(this.record.view);
+    else if (document.body.classList.contains("embed") && this.record.opens) this.afternoon.watch();
   }
 
   /** Go from the desk into the room. */

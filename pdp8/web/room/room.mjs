@@ -267,7 +267,7 @@ export class Room {
     if (!this.live && this.own) this.bench.afternoon.release(this.own);
     this.#letGo();
     this.bench.sound.hum(0, 0);
-    if (!location.hash.startsWith(DESK)) readdress(DESK, true);
+    if (/^(#t=.*)?$/.test(location.hash)) readdress(DESK, true);
     this.bench.show();
     this.bench.time.focus();
   }

@@ -454,7 +454,7 @@ def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
 
 
 def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page: Page) -> None:
-    """For who made it as for who opened it."""
+    """For who made it as for who opened it. One that comes into the page's address is opened there."""
     click(page, "#share")
     until(page, "location.hash.startsWith('#s=')")
     other = page.context.new_page()
@@ -465,6 +465,15 @@ def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page
         click(tab, "#computer .rocker >> nth=0")
         _reopened(tab)
         assert tab.evaluate("workbench.machine.sr") == 0o4000
+    click(page, "#enter")
+    page.evaluate("() => { location.hash = '#exercise=larger'; }")
+    until(page, "workbench.exercises.name === 'larger' && history.state")
+    page.evaluate("() => { workbench.exercises.open('echo'); workbench.enter(); }")
+    page.evaluate("() => history.replaceState(true, '', '#exercise=larger')")  # as Back leads there again
+    page.evaluate("() => { dispatchEvent(new Event('hashchange')); }")
+    assert page.evaluate("[workbench.room.open, workbench.exercises.name, location.hash]") == [
+        False, "echo", "#exercise=larger",
+    ]  # fmt: skip
 
 
 def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
