@@ -103,7 +103,7 @@ class Model:
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
             self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
-            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3,
+            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3, self.strike: 2,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -251,6 +251,15 @@ class Model:
         until(self.page, "!workbench.machine.processor.run")
         self.sr = 0o200
         self.punched.append(int(self.text.split("C,\t")[1].split("\n")[0], 8))
+
+    def strike(self) -> None:
+        """A key of the Teletype reaches the computer at any speed, and comes no further while it stands."""
+        if self.led:
+            return
+        self.speed = self.draw.choice(("1", "Infinity"))
+        self._put("#speed", self.speed, "change")
+        self._click("[data-key='return']")
+        until(self.page, f"workbench.machine.teletype.receiver.flag && {IDLE}")
 
     def restore(self) -> None:
         """Save the machine, or open the one that was saved."""
