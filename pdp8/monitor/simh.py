@@ -71,9 +71,10 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
     if kind in ("dt", "df"):
         rack.detach(monitor, device, where)
     elif kind in ("ptr", "tti"):
-        fast = kind == "ptr" and monitor.machine.highspeed.fitted
-        monitor.waiting_tapes = []
-        (monitor.machine.highspeed if fast else monitor.machine.teletype).reader.remove()
+        if kind == "ptr" and monitor.machine.highspeed.fitted:
+            monitor.machine.highspeed.reader.remove()
+        else:
+            tapes.reader(monitor, "none")
     elif kind in monitor.punching:
         take_off(monitor, kind)
     else:

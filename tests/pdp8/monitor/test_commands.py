@@ -1,6 +1,7 @@
 """What the commands do that a session does not show."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -8,6 +9,7 @@ from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
+from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import find
 from pdp8.monitor.prompt import Monitor
@@ -118,6 +120,13 @@ def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
     assert (monitor.waiting_tapes, monitor.machine.teletype.reader.tape) == ([], b"")
 
 
+def test_a_tape_out_of_the_high_speed_reader_leaves_those_of_the_teletype() -> None:
+    monitor = Monitor(lambda line: None, Machine(one_of_each()))
+    do(monitor, "reader circle.asc ellipse.asc", "attach ptr eia.bin", "detach ptr")
+    assert monitor.machine.highspeed.reader.tape == b""
+    assert monitor.waiting_tapes == ["ellipse.asc"]
+
+
 def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) -> None:
     monitor = Monitor(lambda line: None, Machine())
     for name in "abc":
@@ -152,6 +161,15 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: P
     for line in ("page more", f"restore {tmp_path}/printed", "page more"):
         do(other, line)
     assert "HELLO, WORLD." in said[-3:]
+
+
+@pytest.mark.parametrize("kind", rack.RACK)
+def test_what_a_device_does_that_was_fitted_on_the_way_is_undone(kind: str, monitor: Monitor) -> None:
+    do(monitor, "load hello.pal", "go 200 0.1", f"set {kind} enabled", "step 2")
+    device: Any = monitor.machine.devices[-1]
+    device.flag = 1
+    do(monitor, "step 2", "back 3")
+    assert device.flag == 0
 
 
 def test_words_of_8k_are_counted_to_its_end() -> None:

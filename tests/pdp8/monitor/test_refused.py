@@ -22,7 +22,7 @@ from pdp8.monitor.prompt import Monitor
 from tapes import dectape
 from tapes.errors import WorkError
 from tests import commands
-from tests.pdp8.monitor import do
+from tests.pdp8.monitor import do, session
 
 REFUSED = {
     "examine": ("", "9", "200 9", "20:17", "CHK-CHK", "NOPE", "7777/2", "200/10001"),
@@ -84,7 +84,7 @@ REFUSED = {
     ),
     "detach": ("", "ptp", "rk0", "dt0", "dt9", "dt0 out.tu56", "dt0 forget"),
     "send": ("", "{"),
-    "do": ("", "missing"),
+    "do": ("", "missing", "fails", "leaps"),
     "goto": ("", "NOWHERE"),
     "if": ("", "exist", "AC == 0 quit", "exist in.asc go soon"),
     "echo": (),
@@ -103,7 +103,7 @@ NEAREST = {
     "set": ("ac 7777", "ir 7", "mem_prot 1", "hands 0"),
     "go": ("200 0",),
     "cont": ("0",),
-    "assert": ("ac 0",),
+    "assert": ("sr 7070",),
     "wait": ("0",),
     "step": ("1", "7"),
     "cycle": ("1", "7"),
@@ -144,6 +144,8 @@ def monitor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor
     (tmp_path / "cut.state").write_text(state.save(Machine())[:300])
     (tmp_path / "kept.state").write_text(state.save(Machine()))
     (tmp_path / "kept").write_bytes(b"kept")
+    (tmp_path / "fails").write_text("echo\ndo missing\n")
+    (tmp_path / "leaps").write_text("goto NOWHERE\n")
     (tmp_path / "reel.tu56").write_bytes(dectape.blank().content())
     (tmp_path / "big.tu56").write_bytes(b"\xff" * len(dectape.blank().content()))
     (tmp_path / "kept").chmod(0o444)
@@ -166,22 +168,21 @@ def monitor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor
         yield made
 
 
-def session(monitor: Monitor) -> tuple[object, ...]:
-    """Return all that a line could change: machine, breakpoints, listing, tapes that wait, what was shown."""
-    watch = monitor.machine.watch
-    return (
-        state.save(monitor.machine),
-        (set(watch.breakpoints), set(watch.writes), watch.observer),
-        (monitor.listing, monitor.dialect, monitor.finished, monitor.operator.pace),
-        (list(monitor.waiting_tapes), monitor.expected, monitor.shown),
-        monitor.history.instructions,
-        {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()},
-    )
+def files() -> dict[str, bytes]:
+    return {str(path): path.read_bytes() for path in Path().rglob("*") if path.is_file()}
 
 
-@pytest.mark.parametrize("line", [f"{name} {words}" for name, each in NEAREST.items() for words in each])
-def test_the_nearest_value_is_accepted(monitor: Monitor, line: str) -> None:
+@pytest.mark.parametrize(
+    "line", [f"{name} {words}" for table in (NEAREST, WORKS) for name in table for words in table[name]]
+)
+def test_the_nearest_value_is_accepted_and_what_a_line_does_is_undone(monitor: Monitor, line: str) -> None:
+    do(monitor, "forget", "trace off", "step 2")
+    history, before, number = monitor.history, state.save(monitor.machine), monitor.machine.instructions
     do(monitor, line)
+    if monitor.history is history:  # `restore` begins another
+        do(monitor, "step 1")
+        do(monitor, f"back {monitor.machine.instructions - number + 1:o}", "step 1")
+        assert state.save(monitor.machine) == before
 
 
 def test_every_command_has_its_refusals() -> None:
@@ -193,12 +194,12 @@ def test_every_command_has_its_refusals() -> None:
 def test_what_is_refused_changes_nothing(name: str, stands: bool, monitor: Monitor) -> None:
     if stands:
         do(monitor, "key stop")
-    before = session(monitor)
+    before = session(monitor), files()
     for arguments in REFUSED[name]:
         line = f"{name} {arguments}"
         with pytest.raises(WorkError):
             do(monitor, line)
-        assert session(monitor) == before, line
+        assert (session(monitor), files()) == before, line
 
 
 def test_a_tape_that_is_missing_when_its_turn_comes_is_still_awaited(monitor: Monitor) -> None:

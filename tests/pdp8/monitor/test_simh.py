@@ -12,7 +12,7 @@ from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import binary, dectape, rim
-from tests.pdp8.monitor import do
+from tests.pdp8.monitor import do, session
 
 TABLE = (Path(__file__).parents[3] / "docs" / "simh.md").read_text("utf-8").partition("|---")[2]
 ROWS = [row.split("|")[1:3] for row in TABLE.partition("\n\n")[0].splitlines()[1:]]
@@ -35,14 +35,16 @@ def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "echo.pal").write_text(ECHO)
 
 
-def played(lines: list[str]) -> tuple[list[int], bytes, list[str]]:
-    """Return core and registers that lines lead to, the page, and what is said but for the times."""
+def played(lines: list[str]) -> tuple[list[object], dict[str, object], list[str]]:
+    """Return core, registers and page that lines lead to, the session, and what is said but for the times."""
     said: list[str] = []
     monitor = Monitor(said.append)
     first = lines[0].split()[0]
     echoes = first in ("send", "type", "expect")
     for line in (
-        ["load echo.pal", "go 200 1"] if echoes else ["load eia.pal", "reader circle.asc", "go 200 2"]
+        ["load echo.pal", "go 200 1"]
+        if echoes
+        else ["load eia.pal", "reader circle.asc circle.asc", "go 200 2"]
     ):
         do(monitor, line)
     if first == "expect":
@@ -57,8 +59,11 @@ def played(lines: list[str]) -> tuple[list[int], bytes, list[str]]:
     if first in ("send", "type"):
         do(monitor, "cont 2")
         said.clear()
-    state = [*machine.core, machine.ac, machine.sr, *([] if echoes else [machine.pc])]
-    return state, bytes(machine.teletype.printer.frames), [line.partition(";")[0] for line in said]
+    frames = bytes(machine.teletype.printer.frames)
+    state = [*machine.core, machine.ac, machine.sr, *([] if echoes else [machine.pc]), frames]
+    own = ("machine", "history", "listing", "say", "echo", "expected")  # of this run alone
+    kept = {name: each for name, each in session(monitor).items() if name not in own}
+    return state, kept, [line.partition(";")[0] for line in said]
 
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0].strip())
