@@ -239,7 +239,7 @@ class Expression:
         lexer = self._lexer
         text = lexer.text()
         start, end = self._table.found_at, lexer.before
-        written = text[start:end].upper()
+        written = text[start:end].rstrip("= \t").upper()
         instead = symbols.ELSEWHERE.get(name, "")
         key = "US elsewhere" if instead else "US"
         follows = text[end : end + 1] in (" ", "\t") and not ends_expression(lexer.first)

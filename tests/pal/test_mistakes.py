@@ -7,6 +7,7 @@ write, and never says to take a character away.
 """
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pal
@@ -34,14 +35,51 @@ def test_each_note_is_said_of_one_source_and_not_of_the_nearest() -> None:
     such note and the second has it; ! ends a line; A{3} is AAA.
     """
     for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines():
-        code, how, template = line.split(" ", 2)
+        code, how, _ = line.split(" ", 2)
         for said in (False, True):
-            text = re.sub(r"\[([^|]*)\|([^]]*)\]", r"\2" if said else r"\1", template).replace("!", "\n")
-            text = re.sub(r"(.)\{(\d+)\}", lambda found: found[1] * int(found[2]), text)
-            text += "" if "$" in template else "\n$\n"
+            text = beside(line, said)
             with case(line, text):
                 found = pal.assemble(text, dialect=how) if how[0] == "p" else pal.assemble(text, model=how)
                 assert (code in [each.code for each in found.diagnostics]) == said
+
+
+def beside(line: str, said: bool) -> str:
+    """Return the source of a line of beside.txt that has the note, or the one that has not."""
+    _, _, template = line.split(" ", 2)
+    text = re.sub(r"\[([^|]*)\|([^]]*)\]", r"\2" if said else r"\1", template).replace("!", "\n")
+    text = re.sub(r"(.)\{(\d+)\}", lambda found: found[1] * int(found[2]), text)
+    return text + ("" if "$" in template else "\n$\n")
+
+
+def sources() -> Iterator[tuple[str, str, str]]:
+    """Yield the dialect, the title and the text of each mistake without its `$`."""
+    for dialect in ("pal3", "pal8"):
+        for mistake in (FOLDER / f"{dialect}.txt").read_text("utf-8").split("== ")[1:]:
+            title, _, text = mistake.partition("\n")
+            yield dialect, title, text
+    for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines():
+        yield line.split(" ")[1], line, beside(line, True).removesuffix("$\n")
+
+
+def test_what_is_said_of_a_mistake_is_said_wherever_it_is_written() -> None:
+    """On a second tape; its lines on one, but for tags at the margin; and nothing of it behind the `$`."""
+
+    def said(dialect: str, *tapes: str, but: str) -> list[tuple[str, str]]:
+        found = pal.assemble(*tapes, dialect=dialect).diagnostics
+        return sorted((each.code, each.headline.partition(":")[2]) for each in found if each.code not in but)
+
+    for dialect, title, text in sources():
+        with case(title):
+            if "$" in title + text or dialect not in ("pal3", "pal8"):
+                continue
+            assert said(dialect, "*200\n\tHLT\n$\n" + text, but="PN03") == []
+            here = said(dialect, text + "$\n", but="PN36 PN55")
+            if "value for no symbol" not in title:
+                assert said(dialect, "\n", text + "$\n", but="PN36 PN55") == here
+            if "/" not in text and "tag without" not in title:
+                joined = text.rstrip("\n").replace("\n", ";") + "\n$\n"
+                codes = [code for code, _ in said(dialect, joined, but="PN36 PN55")]
+                assert codes == [code for code, _ in here]
 
 
 def test_of_an_empty_line_nothing_is_shown() -> None:
