@@ -127,8 +127,8 @@ class Document:
         """Return a symbol with all its letters, as it is first written."""
         return next((each.written for each in self.occurrences.get(name, ())), name)
 
-    def refusal(self, name: str, new: str) -> str:
-        """Return why the symbol `name` cannot be renamed `new`, "" if it can."""
+    def refusal(self, name: str, new: str, tape: int = 0) -> str:
+        """Return why the symbol `name` cannot be renamed `new`, in a tape, "" if it can."""
         if name not in self.assembly.symbols:
             return f"{name or 'this place'} is not a symbol that the source defines"
         if not SYMBOL.fullmatch(new):
@@ -142,8 +142,12 @@ class Document:
         if called in {known[:SIGNIFICANT] for known in self.known}:
             return f"{called} is taken: it is a permanent symbol of {'PAL8' if pal8 else 'PAL III'}"
         if self.places(called):
-            return f"{called} is taken: it is in line {self.places(called)[0].line + 1}"
+            return f"{called} is taken: it is in {self._line_of(self.places(called)[0], tape)}"
         return ""
+
+    def _line_of(self, span: Span, tape: int) -> str:
+        """Return which line a place is in, as said in a tape: with the name of another one."""
+        return f"line {span.line + 1}" + f" of {self._names[span.tape]}" * (span.tape != tape)
 
     @cached_property
     def definitions(self) -> list[Definition]:
@@ -178,7 +182,7 @@ class Document:
         name = self.name_at(tape, line, column)
         if not name:
             return ""
-        said = self._symbol(name)
+        said = self._symbol(name, tape)
         for address, word in self._words.get((tape, line), ()):
             said.append(f"`{address:04o}  {word:04o}`")
             if self._is_instruction(self.line(tape, line)):
@@ -191,12 +195,12 @@ class Document:
         }
         return any(name in self.known for name in names - _PSEUDO_OPERATORS)
 
-    def _symbol(self, name: str) -> list[str]:
+    def _symbol(self, name: str, tape: int) -> list[str]:
         if name not in self.assembly.symbols:
             known = self.known.get(name)
             return [f"`{meaning.of_name(name) or f'{name}: {known}'}`"] if known else []
         at = self.places(name, defined=True)[:1]
-        where = f", defined in line {at[0].line + 1}" if at else ""
+        where = f", defined in {self._line_of(at[0], tape)}" if at else ""
         used = len(self.places(name, defined=False))
         said = [f"`{name}` = {self.assembly.symbols[name]:04o}{where}, used {used} time{'s' * (used != 1)}"]
         return said + [f"`{self.line(each.tape, each.line).strip()}`" for each in at]

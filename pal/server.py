@@ -220,8 +220,8 @@ class Answers:
         return self._range(document, span)
 
     def _rename(self, params: lsp.RenameParams) -> lsp.WorkspaceEdit:
-        document, _, name = self._at(params)
-        if reason := document.refusal(name, params.new_name):
+        document, tape, name = self._at(params)
+        if reason := document.refusal(name, params.new_name, tape):
             raise JsonRpcException(reason, lsp.LSPErrorCodes.RequestFailed)
         changes: dict[str, list[lsp.TextEdit]] = {}
         for uri, where in self._places(params, None):
