@@ -21,15 +21,17 @@ _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
 class Dump(NamedTuple):
-    """The frames that a text spells, and in which notation."""
+    """The frames that a text spells, in which notation, and whether its addresses show a gap."""
 
     notation: str
     frames: bytes
+    gap: bool = False
 
     @property
     def note(self) -> str:
         """What there is to say of such a file."""
-        return f"a dump in {self.notation}, read as {len(self.frames):,} frames"
+        gap = "; its addresses do not follow one another: is a line missing?" if self.gap else ""
+        return f"a dump in {self.notation}, read as {len(self.frames):,} frames{gap}"
 
 
 class _Row(NamedTuple):
@@ -57,10 +59,12 @@ def found(content: bytes) -> Dump | None:
     if not notation:
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
-    frames = _placed(rows, pieces, 8) or _placed(rows, pieces, 16) or b"".join(pieces)
+    placed = _placed(rows, pieces, 8) or _placed(rows, pieces, 10) or _placed(rows, pieces, 16)
+    frames = placed or b"".join(pieces)
     letters = any(number.strip("0123456789") for number in numbers)
     many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and letters)
-    return Dump(notation.partition(" ")[0], frames) if many else None
+    gap = not placed and any(row.address for row in rows)
+    return Dump(notation.partition(" ")[0], frames, gap) if many else None
 
 
 def unspelled(content: bytes) -> tuple[bytes, str]:
@@ -147,10 +151,13 @@ def _frames(number: str, notation: str) -> bytes:
 
 
 def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
-    """Return the frames at their addresses, b"" if those do not fit; * repeats the frames before it."""
+    """Return the frames at their addresses from the first on, b"" if those do not fit; * repeats the frames
+    before it.
+    """
     placed = b""
     last = b""
     repeats = False
+    first = -1
     for row, piece in zip(rows, pieces, strict=True):
         if row.address == "*":
             repeats = True
@@ -158,6 +165,8 @@ def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
         if not is_number(row.address, base, 1, 16):
             return b""
         at = int(row.address, base=base)
+        first = at if first < 0 else first
+        at -= first
         while repeats and last and len(placed) < at:
             placed += last
         if not row.numbers:

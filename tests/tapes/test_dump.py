@@ -1,5 +1,6 @@
-"""Dumps as other tools write them; od, xxd and hexdump are what judges."""
+"""Dumps as other tools write them, whole, cut, and with a line lost; od, xxd and hexdump are what judges."""
 
+import re
 import shutil
 
 import pytest
@@ -8,7 +9,7 @@ from pdp8 import shelf
 from tapes import dump
 from tests import commands
 
-FRAMES = bytes(100) + shelf.read("circle.eia")[:333] + bytes(range(256))
+FRAMES = bytes(100) + shelf.read("circle.eia")[:333] + bytes(100) + bytes(range(256))
 COMMANDS = [
     "xxd", "xxd -p", "xxd -i", "xxd -b", "xxd -u -g1", "hexdump -Cv", "od -An -to1 -v", "od -to1 -v",
     "od -tx1z -v",
@@ -27,7 +28,20 @@ def test_what_other_tools_write(command: str) -> None:
     assert done.returncode == 0, done.stderr
     found = dump.found(written)
     assert found
-    assert found.frames == FRAMES
+    assert (found.frames, found.gap) == (FRAMES, False)
+    lines = written.splitlines(keepends=True)
+    if not re.match(rb"[0-9a-f]{6,8}[ :]", lines[1 - (lines[1] == b"*\n")]):
+        return
+    for at in range(1, len(lines) - 2):
+        if b"*\n" not in lines[at - 1 : at + 1]:
+            excerpt = dump.found(b"".join(lines[at:]))
+            assert excerpt
+            assert FRAMES.endswith(excerpt.frames)
+            assert not excerpt.gap
+        if b"*\n" not in (lines[at - 1], lines[at + 1]):  # which then repeats the line before
+            lost = dump.found(b"".join([*lines[:at], *lines[at + 1 :]]))
+            assert lost
+            assert lost.note.endswith("do not follow one another: is a line missing?")
 
 
 @pytest.mark.parametrize("name", ["circle.asc", "circle.eia", "eia.bin", "eia.pal", "hello.pal"])
