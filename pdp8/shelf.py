@@ -198,11 +198,13 @@ def program(name: str, force: bool = False, dialect: str = "auto", memory: int =
     return program.read(read(name), name, force, dialect, memory)
 
 
-def programs(names: Sequence[str], dialect: str = "auto") -> "Program":
-    """Return the program of source tapes read one after the other. Raises WorkError."""
-    from pdp8.computer.use import program
+def programs(names: Sequence[str], memory: int = 0o10000) -> "Program":
+    """Return the program of a tape, or of source tapes read one after the other. Raises WorkError."""
+    from pdp8.computer.use.program import read_sources
 
-    return program.read_sources([read(name) for name in names], names, dialect)
+    if len(names) == 1:
+        return program(names[0], memory=memory)
+    return read_sources([read(name) for name in names], names, memory)
 
 
 def bundled_program(name: str) -> "Program":

@@ -72,9 +72,9 @@ class Launch:
 
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
         """Return a machine loaded and started, and its program; `say` takes messages. Raises WorkError."""
-        found = shelf.program(self.program[0]) if len(self.program) == 1 else shelf.programs(self.program)
         if self.memory not in MEMORY:
             raise WorkError(f"memory: {self.memory}; {', '.join(MEMORY)} are allowed")
+        found = shelf.programs(self.program, MEMORY[self.memory])
         machine = Machine(memory=MEMORY[self.memory])
         fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))
         monitor = Monitor(say, machine, found.listing)

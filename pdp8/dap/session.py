@@ -178,7 +178,17 @@ class Session:
         return dict.fromkeys(_CAPABILITIES.split(), True)
 
     def _load(self, launch: Launch) -> None:
-        self._room, self._finished = Debuggee(launch, self._breakpoints, self._first_line), False
+        made = Debuggee(launch, self._breakpoints, self._first_line)
+        self._leave()
+        self._room, self._finished = made, False
+
+    def _leave(self) -> None:
+        """Save what the machine leaves, if there is one: the tape in its punch, and its reels."""
+        if self._room is not None:
+            self._take_off(self._room)
+            if not self._finished:
+                rack.leave(self._room.monitor)
+            self._tell(self._room)
 
     def _launch(self, arguments: Body) -> None:
         self._load(Launch.of(arguments))
@@ -200,11 +210,7 @@ class Session:
 
     def _finish(self) -> None:
         self._runs = False
-        if self._room is not None:
-            self._take_off(self._room)
-            if not self._finished:
-                rack.leave(self._room.monitor)
-            self._tell(self._room)
+        self._leave()
         if not self._finished:  # an editor may answer `terminated` with another request to terminate
             self._finished = True
             self._wire.event("exited", exitCode=0)

@@ -98,7 +98,7 @@ def read(frames: bytes, name: str, force: bool = False, dialect: str = FOUND, me
     return program
 
 
-def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FOUND) -> Program:
+def read_sources(tapes: Sequence[bytes], names: Sequence[str], memory: int = FIELD) -> Program:
     """Return the program of several tapes of source, as `read` does that of one. Raises WorkError."""
     together = " ".join(names)
     for tape, name in zip(tapes, names, strict=True):
@@ -106,7 +106,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], dialect: str = FO
             if codes.recognise(tape) is not codes.ASCII:
                 raise WorkError("not PAL source: only a source may be on several tapes")
     with naming(together):
-        program = _assembled(tapes, names, dialect)
+        program = _assembled(tapes, names, FOUND, memory)
     program.name = together
     program.names = tuple(names)
     return program

@@ -20,9 +20,11 @@ from pdp8.dap.breakpoints import ADDRESSES, LINES, Breakpoints, Point
 from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
+from pdp8.dap.session import Session
 from pdp8.monitor.prompt import Monitor
 from tapes import binary
 from tapes.errors import WorkError
+from tests.pdp8.computer.dectape import reel
 from tests.pdp8.dap.test_wire import FIELDS, PROTOCOL, console, held
 
 SOURCE = "*200\n\tJMS SUB\n\tHLT\n*300\nSUB,\t0\n\tISZ N\nLAST,\tJMP I SUB\nN,\t7775\nHALF=1234\n$\n"
@@ -240,6 +242,39 @@ def test_devices_and_core_are_as_configured(program: str) -> None:
         found.append((len(monitor.machine.devices), len(monitor.machine.core)))
     (plain, core), *others = found
     assert others == [(plain + 1, core), (plain + 1, core), (plain, 2 * core)]
+
+
+def test_a_program_may_have_words_in_all_of_core(tmp_path: Path) -> None:
+    first, second = (str(tmp_path / name) for name in ("first.pal", "second.pal"))
+    Path(first).write_text("*200\n\tHLT\n")
+    Path(second).write_text("FIELD 1\n*200\n\tHLT\n$\n")
+    for program in ([second], [first, second]):
+        monitor, _ = Launch.of({"program": program, "memory": "8k"}).ready(lambda line: None)
+        assert monitor.machine.core[0o10200] == 0o7402
+        with pytest.raises(WorkError, match="4K of core ends at 07777"):
+            Launch.of({"program": program}).ready(lambda line: None)
+
+
+@pytest.mark.parametrize("end", ["terminate", "disconnect", "restart", "launch"])
+def test_what_a_machine_leaves_is_saved_however_it_ends(
+    end: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The tape in its punch, and a reel that was written and not saved."""
+    monkeypatch.chdir(tmp_path)
+    reel.file(tmp_path / "reel.tu56")
+    given = {"program": "hello.pal", "punch": "out", "dectape": ["0=reel.tu56"]}
+    session = Session(BytesIO(), BytesIO())
+    session._requests["launch"](given)
+    monitor = session._loaded.monitor
+    monitor.machine.teletype.punch.frames += b"X"
+    place: Any = monitor.reels.places["dt0"]
+    place.drive.write(5, 7, 1)
+    session._requests[end](given if end == "launch" else {})
+    for action in session._after:
+        action()
+    session.serve()
+    assert Path("out").read_bytes() == b"X"
+    assert [each.name for each in tmp_path.glob("*changed*")] == ["reel-changed.tu56"]
 
 
 @pytest.mark.parametrize("request_", sorted(requests._NEEDED))

@@ -10,8 +10,12 @@ import pytest
 
 from pdp8 import shelf
 from pdp8.computer.machine import Machine
-from pdp8.dap.breakpoints import ADDRESSES, Point
+from pdp8.dap import session
+from pdp8.dap.breakpoints import ADDRESSES, Breakpoints, Point
+from pdp8.dap.debuggee import Debuggee
+from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
+from pdp8.dap.wire import Body
 from pdp8.monitor.prompt import Monitor
 from tests.pdp8.dap.test_dap import Seen, console, launched, play
 
@@ -112,6 +116,43 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
     assert targets["body"]["targets"] == [{"id": 0o202, "label": "0202", "line": 4}]
     assert moved["event"]["reason"] == "goto"
     assert pc["body"]["result"] == "0203"
+
+
+TOLD_APART: dict[str, list[Body]] = {
+    "setBreakpoints": [{"line": 3}, {"line": 4}],
+    "setFunctionBreakpoints": [{"name": "L"}, {"name": "N"}],
+    "setInstructionBreakpoints": [
+        {"instructionReference": "0x0100"},
+        {"instructionReference": "0x0100", "offset": 2},
+        {"instructionReference": "0x0102"},
+    ],
+    "setDataBreakpoints": [
+        {"dataId": "N", "accessType": "read"},
+        {"dataId": "N", "accessType": "write"},
+        {"dataId": "M", "accessType": "write"},
+    ],
+    "setExceptionBreakpoints": [],
+}
+"""For each request breakpoints that differ in one field."""
+
+
+def test_breakpoints_that_differ_in_a_field_are_two_and_keep_their_numbers(folder: Path) -> None:
+    assert [name for name in session._OF_THE_MACHINE if name.endswith("Breakpoints")] == [*TOLD_APART]
+    program = str(folder / "counts.pal")
+    debuggee = Debuggee(Launch.of({"program": program}), Breakpoints())
+    numbers: set[int] = set()
+    for name, points in TOLD_APART.items():
+
+        def ids(points: list[Body], name: str = name) -> list[int]:
+            asked = {"source": {"path": program}, "breakpoints": points}
+            found = session._OF_THE_MACHINE[name](debuggee, asked).get("breakpoints", ())
+            assert all(each["verified"] for each in found)
+            return [each["id"] for each in found]
+
+        given = ids(points)
+        assert (len({*given}), numbers & {*given}) == (len(points), set()), name
+        assert ids([{**point, "condition": "M"} for point in points[::-1]]) == given[::-1]
+        numbers |= {*given}
 
 
 @pytest.mark.parametrize(
