@@ -1,6 +1,7 @@
 """Parts of a tape, with what a photograph does to them, become that tape, or are refused."""
 
 import random
+import re
 from itertools import pairwise
 
 import pytest
@@ -183,19 +184,34 @@ def test_photographs_of_a_long_tape_are_stitched(seed: int) -> None:
                 stitch.join(less)
 
 
-@pytest.mark.slow("three photographs, ten seconds")
-def test_the_strips_of_a_stitched_tape_are_told() -> None:
+@pytest.mark.parametrize("stitched", [False, True])
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("off", [(False, False), (False, True), (True, False), (True, True)])
+def test_where_strips_are_is_said_and_where_the_tape_may_go_on(
+    off: tuple[bool, bool], way: int, stitched: bool
+) -> None:
+    """A stitched tape at its own ends alone; strips seen from below at their other ends."""
     tape = survey.some_tape(5, 150)
-    picture = camera.picture(tape, Shot(angle=2))
-    wide = picture.shape[1]
-    crops = [picture[:, int(wide * a) : int(wide * b)] for a, b in ((0, 0.5), (0.25, 0.75), (0.5, 1))]
-    pictures = [camera.develop(crop, Shot(seed=at)) for at, crop in enumerate(crops)]
-    read = correction.Reading(
-        [correction.Picture(f"{at}.jpg", each, photograph.strips(each)) for at, each in enumerate(pictures)],
-        stitched=True,
+    pictures = [
+        correction.Picture(f"{number}.jpg", b"", [photograph.Strip(frames, off)])
+        for number, frames in parts(tape, (0, 80), (40, 120), (80, 150)).items()
+    ]
+    read = correction.Reading(pictures, (1, 2, 3) if way == 1 else (-3, -2, -1), stitched)
+    assert read.tape == tape[::way] or not stitched
+    assert [strip for strip, _ in read.runs] == [1, 2, 3][::way]
+    places = {
+        (True, 1): ((0, 79), (40, 119), (80, 149)),
+        (True, -1): ((0, 69), (30, 109), (70, 149)),
+        (False, 1): ((0, 79), (80, 159), (160, 229)),
+        (False, -1): ((0, 69), (70, 149), (150, 229)),
+    }[stitched, way]
+    before, after = off[::way]
+    expected = []
+    for number, (begin, end) in zip([1, 2, 3][::way], places, strict=True):
+        expected.append(f"frames {begin} to {end}: strip {number}")
+        expected += [f"before frame {begin}"] * (before and not (stitched and begin))
+        expected += [f"after frame {end}"] * (after and not (stitched and end != places[-1][1]))
+    said = re.findall(
+        r"frames \d+ to \d+: strip \d|(?<=may go on )\w+ frame \d+", "\n".join(read.report(False))
     )
-    assert read.tape == tape
-    said = "\n".join(read.report(underside=False))
-    assert "strip 3 of 3" in said
-    assert "may go on" not in said
-    assert [strip for strip, _ in read.runs] == [1, 2, 3]
+    assert said == expected

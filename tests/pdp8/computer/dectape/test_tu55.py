@@ -2,8 +2,8 @@
 
 import pytest
 
-from pdp8.computer.dectape.tc08 import TC08
-from pdp8.computer.dectape.tu55 import Transport
+from pdp8.computer.dectape.tc08 import GO, TC08
+from pdp8.computer.dectape.tu55 import MOVING, STOPPING, Transport
 from tapes.dectape import BLOCKS, WORDS
 from tests.pdp8.computer.dectape.reel import reel
 
@@ -66,8 +66,19 @@ def test_backwards_a_tape_moves_as_forwards() -> None:
     assert Transport().written() is None
 
 
-def test_each_of_eight_drives_is_selected_by_its_number() -> None:
-    control = TC08()
+@pytest.mark.parametrize("stop", ["INITIALIZE", "DTXA of GO", "DTXA of function 7"])
+def test_of_eight_tapes_in_motion_the_selected_one_is_stopped(stop: str) -> None:
+    image, now = reel(), 10_000_000
     for unit in range(8):
-        control.a = unit << 9 | 0o777
-        assert control.drive is control.drives[unit]
+        control = TC08()
+        for drive in control.drives:
+            drive.mount(image)
+            drive.go(0, 0)
+        control.a = unit << 9 | GO
+        if stop == "INITIALIZE":
+            control.initialize(now)
+        else:
+            control.pulse(4, GO if stop == "DTXA of GO" else 0o70, now)
+        assert [drive.phase for drive in control.drives] == [
+            STOPPING if number == unit else MOVING for number in range(8)
+        ]
