@@ -118,7 +118,7 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
     assert pc["body"]["result"] == "0203"
 
 
-TOLD_APART: dict[str, list[Body]] = {
+DIFFERENT: dict[str, list[Body]] = {
     "setBreakpoints": [{"line": 3}, {"line": 4}],
     "setFunctionBreakpoints": [{"name": "L"}, {"name": "N"}],
     "setInstructionBreakpoints": [
@@ -137,11 +137,11 @@ TOLD_APART: dict[str, list[Body]] = {
 
 
 def test_breakpoints_that_differ_in_a_field_are_two_and_keep_their_numbers(folder: Path) -> None:
-    assert [name for name in session._OF_THE_MACHINE if name.endswith("Breakpoints")] == [*TOLD_APART]
+    assert [name for name in session._OF_THE_MACHINE if name.endswith("Breakpoints")] == [*DIFFERENT]
     program = str(folder / "counts.pal")
     debuggee = Debuggee(Launch.of({"program": program}), Breakpoints())
     numbers: set[int] = set()
-    for name, points in TOLD_APART.items():
+    for name, points in DIFFERENT.items():
 
         def ids(points: list[Body], name: str = name) -> list[int]:
             asked = {"source": {"path": program}, "breakpoints": points}

@@ -61,7 +61,7 @@ def played(lines: list[str]) -> tuple[list[object], dict[str, object], list[str]
         said.clear()
     frames = bytes(machine.teletype.printer.frames)
     state = [*machine.core, machine.ac, machine.sr, *([] if echoes else [machine.pc]), frames]
-    own = ("machine", "history", "listing", "say", "echo", "expected")  # of this run alone
+    own = ("machine", "history", "listing", "say", "echo", "expected")  # of one run only
     kept = {name: each for name, each in session(monitor).items() if name not in own}
     return state, kept, [line.partition(";")[0] for line in said]
 

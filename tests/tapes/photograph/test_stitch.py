@@ -187,10 +187,10 @@ def test_photographs_of_a_long_tape_are_stitched(seed: int) -> None:
 @pytest.mark.parametrize("stitched", [False, True])
 @pytest.mark.parametrize("way", [1, -1])
 @pytest.mark.parametrize("off", [(False, False), (False, True), (True, False), (True, True)])
-def test_where_strips_are_is_said_and_where_the_tape_may_go_on(
+def test_where_strips_are_is_said_and_which_ends_leave_their_pictures(
     off: tuple[bool, bool], way: int, stitched: bool
 ) -> None:
-    """A stitched tape at its own ends alone; strips seen from below at their other ends."""
+    """A stitched tape only at its own ends; strips seen from below at their other ends."""
     tape = survey.some_tape(5, 150)
     pictures = [
         correction.Picture(f"{number}.jpg", b"", [photograph.Strip(frames, off)])
