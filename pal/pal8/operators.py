@@ -259,7 +259,8 @@ class Operators:
             self._log.say("IP asked", start, name=table.found.name)
         elif table.found.passed == 1 and self._log.number == 2:
             text = lexer.text().upper()
-            if f"{text[start : lexer.before]}=" not in text:  # `IFNDEF A <A=5>` is the same in palbart
+            # `IFNDEF A <A=5>` is the same in palbart
+            if f"{text[start : lexer.before]}=" not in text[lexer.before :].partition(">")[0]:
                 self._log.note("PN49", start, name=name)
         return is_undefined
 
