@@ -146,8 +146,7 @@ def test_what_is_typed_and_kept(page: Page) -> None:
     _reopened(page)
     _clean(page)
     page.goto(page.url.split("#")[0] + "#exercise=" + HOSTILE.replace(" ", "%20"))
-    _reopened(page)
-    assert "there is no exercise" in page.locator("#next").inner_text()
+    until(page, "document.getElementById('next')?.textContent.includes('there is no exercise')")
     _clean(page)
 
 
