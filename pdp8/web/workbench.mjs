@@ -96,6 +96,7 @@ export class Bench {
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
     this.aim();
+    this.teletype?.clear(); // another machine has another paper
     this.machine = this.like(machine);
     if (stops) this.machine.panel.stop();
     this.remember();
@@ -274,7 +275,6 @@ export class Bench {
   #standing(/** @type {Machine} */ machine) {
     this.afternoon.takeOver();
     this.adopt(machine, true);
-    this.teletype.clear(); // another machine's paper
     this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
     this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");

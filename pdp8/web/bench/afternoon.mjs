@@ -109,6 +109,7 @@ export class Afternoon {
     bench.aim();
     bench.switches?.card.end();
     bench.editor?.stopCounting();
+    bench.teletype?.clear();
     this.on = true;
     this.program = null;
     bench.machine = this.script.machine;
