@@ -103,7 +103,7 @@ class Model:
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
             self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
-            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3, self.strike: 2,
+            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3, self.strike: 2, self.look: 3,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -252,6 +252,11 @@ class Model:
         self.sr = 0o200
         self.punched.append(int(self.text.split("C,\t")[1].split("\n")[0], 8))
 
+    def look(self) -> None:
+        """Open another tab."""
+        panes = ("program", "debugger", "mill", "parts", "exercises", "figures")
+        self._click(f"[data-opens={self.draw.choice(panes)}]")
+
     def strike(self) -> None:
         """A key of the Teletype reaches the computer at any speed, and comes no further while it stands."""
         if self.led:
@@ -384,8 +389,10 @@ class Model:
         if self.refuses or self.led:
             return
         self.page.evaluate("(desk) => history.replaceState(null, '', desk)", DESK)
+        tab = self.page.evaluate("workbench.tabs.kept")
         self.page.reload()
         self._found_again()
+        assert self.page.evaluate("workbench.tabs.kept") == tab
 
     def _found_again(self) -> None:
         until(self.page, "!!window.workbench?.ready")
