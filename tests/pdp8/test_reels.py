@@ -99,7 +99,7 @@ def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor,
 
 
 def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monitor, tmp_path: Path) -> None:
-    """A reel and the discs; and what is taken off leaves nothing on the next."""
+    """A reel and the discs, restored between; and what is taken off leaves nothing on the next."""
     do(monitor, "set df enabled")
     reel, discs = monitor.reels.places["dt0"], monitor.reels.places["df"]
     assert isinstance(reel, Reel)
@@ -107,6 +107,8 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
     for number in (1, 2):
         reel.drive.write(5, 7, number)
         discs.control.words[9] = number
+        do(monitor, f"save {tmp_path}/s{number}")
+        do(monitor, f"restore {tmp_path}/s{number}")
         for place in (reel, discs):
             assert place.changed() == 1
             monitor.reels.save(place.device, str(tmp_path / f"{place.device}-{number}"))

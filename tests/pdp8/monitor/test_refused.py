@@ -79,7 +79,7 @@ REFUSED = {
     "save": ("", "no/out", ".", "locked/out", "kept", "in.asc", "wrong.pal", "-", "/dev/full", "out more"),
     "restore": ("", "nowhere", "in.asc", "wrong.pal", "cut.state", "kept.state more"),
     "attach": (
-        *("ptr", "rk0 x", "ptr missing", "ptp missing/x"),
+        *("ptr", "rk0 x", "ptr missing", "ptp missing/x", "lpt missing/x", "lpt in.asc"),
         *("dt0", "dt8 reel.tu56", "dt0 nowhere", "dt0 in.asc", "-r dt0", "dt0 big.tu56"),
     ),
     "detach": ("", "ptp", "rk0", "dt0", "dt9", "dt0 out.tu56", "dt0 forget"),

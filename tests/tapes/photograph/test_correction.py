@@ -93,6 +93,10 @@ def test_strips_are_named_and_read_in_any_order() -> None:
     _, shown_strips = shown(correction.page(turned))
     assert [strip["number"] for strip in shown_strips] == [3, 1, 2]
     assert [strip["read"] for strip in shown(correction.page(reading))[1]] == [True, True, False]
+    ends = ((1, 2), (3, 4))
+    seen = [one.strips[0]._replace(ends=ends), Strip([], why="too small", ends=ends)]
+    _, drawn = shown(correction.page(correction.Reading([correction.Picture("a.jpg", content, seen)])))
+    assert [strip["ends"] for strip in drawn] == [[], [[1, 2], [3, 4]]], "a line where no frames are"
     for order in ((1, 1), (1, -1), (4,)):
         with pytest.raises(TapeError, match="1,2,3 can be named, each once"):
             correction.Reading([one, two], order)

@@ -207,6 +207,23 @@ def test_breakpoints_and_listeners_notice_nothing() -> None:
     assert heard
 
 
+def test_after_an_error_within_runs_that_are_one_what_follows_is_recorded() -> None:
+    m, history = recorded(COUNTER)
+
+    def fails() -> str:
+        m.run(instructions=3)
+        raise ValueError("an error")
+
+    with pytest.raises(ValueError, match="an error"):
+        history.together(fails)
+    m.sr = 0o1234
+    m.run(instructions=2)
+    was = saved(m)
+    m.run(instructions=2)
+    rewind.instructions(history, 2)
+    assert saved(m) == was
+
+
 def test_the_memory_is_bounded_and_the_oldest_past_forgotten() -> None:
     m, history = recorded(COUNTER, memory=200_000)
     for _ in range(400):
