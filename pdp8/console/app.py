@@ -95,7 +95,8 @@ class Room(App[None]):
         self.session = session
         self.programs = programs
         self.ticking = ticking
-        self.shown_page = "listing" if session.machine.core[session.address] else "card"
+        self.shown_page = self._first_page = "listing" if session.machine.core[session.address] else "card"
+        self._at_hand = [*session.tapes]
         self._before = 0.0
         self._signal = 0
         self._turns: asyncio.AbstractEventLoop | None = None
@@ -183,9 +184,11 @@ class Room(App[None]):
         """Clear the room for the next visitor at a kiosk."""
         while len(self.screen_stack) > 1:
             self.pop_screen()
-        self.session.clear()
+        self.session.clear(self._at_hand)
         self.query_one(Paper).clear()
         self.query_one("#panel").focus()
+        self.shown_page = self._first_page
+        self._turn_pages()
 
     def look(self) -> None:
         """Show everything as it is now."""

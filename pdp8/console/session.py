@@ -208,11 +208,13 @@ class Session:
         self.tapes = [other for other in self.tapes if other.name != name] + [tape]
         return tape
 
-    def clear(self) -> None:
-        """Forget messages and planned actions: the next operator comes."""
+    def clear(self, tapes: list[Tape]) -> None:
+        """Forget messages and planned actions, with `tapes` at hand: the next operator comes."""
         self._hands = None
         self.operator = Operator(self.machine)
+        self.tapes = [*tapes]
         self.speed = 1
+        self.hand = 0
         self.reader_tape = ""
         self.said = "standing still"
         self._look()

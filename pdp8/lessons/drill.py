@@ -12,7 +12,6 @@ alone begins again by itself.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from pdp8.computer.hardware.fields import changed
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import BIN_HALT, BIN_START, RIM, RIM_START, TELETYPE_READER
 from tapes.quantities import counted, duration
@@ -133,6 +132,7 @@ class Coach:
         self.begun = False
         """Whether a key was pressed."""
         self._still = 0.0
+        self._touched = False
 
     def again(self) -> None:
         """Begin again, with the machine in its first state."""
@@ -147,6 +147,7 @@ class Coach:
     def touched(self) -> None:
         """Note that a key or a switch moved: the machine is not left alone."""
         self._still = 0.0
+        self._touched = True
 
     def allows(self, key: str) -> bool:
         """Whether `key` is the card's next one with the switches right, to be pressed now; else say why."""
@@ -185,8 +186,7 @@ class Coach:
         if self.begun and not self.done:
             self.seconds += seconds
         self._still += seconds
-        left_alone = self.left_alone is not None and self._still >= self.left_alone
-        if left_alone and (self.begun or changed(self._cold, self.machine.values())):
+        if self._touched and self.left_alone is not None and self._still >= self.left_alone:
             self.again()
             return True
         if not self.done:

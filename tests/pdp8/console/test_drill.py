@@ -1,16 +1,25 @@
 """A drill at the panel in a terminal: the card, what the coach says, and the kiosk that clears the room."""
 
+from collections.abc import Awaitable, Callable
+from functools import partial
+
 import pytest
 
 pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
 
+from textual.binding import Binding
 from textual.pilot import Pilot
 
-from pdp8.console.app import Room
+from pdp8.console.app import PanelFace, Room
 from pdp8.console.pages import DrillCard
-from tests.pdp8.console.pictures import scene
+from tests.conftest import case
+from tests.pdp8.console.pictures import scene, shown
 
 SIZE = (160, 45)
+PASSED_OVER = {"app.again", "app.hand(-1)", "app.quit", "app.tape", "app.turn_round"}
+"""What would undo the others, or hide them."""
+UNSEEN = {"machine", "operator", "history", "_rest"}
+"""What a session has that nobody sees, or that is compared otherwise."""
 
 
 def card(room: Room) -> str:
@@ -63,10 +72,38 @@ async def test_a_kiosk_closes_what_a_visitor_left_open(room: Room, pilot: Pilot[
     assert room._exit
 
 
-@scene(size=SIZE, drill="rim", left_alone=60)
-async def test_typing_is_being_there(room: Room, pilot: Pilot[None]) -> None:
-    await pilot.press(*"7756l")
-    for _ in range(5):
-        room.turn(40)
+@scene(drill="rim", left_alone=60)
+async def test_who_does_anything_at_a_kiosk_is_there_and_leaves_it_as_new(
+    room: Room, pilot: Pilot[None]
+) -> None:
+    """A key, the Teletype, the mouse, a question; and all that the panel's keys do, with a tape torn off."""
+    session = room.session
+    every = {key.action for key in PanelFace.BINDINGS if isinstance(key, Binding)} - PASSED_OVER
+
+    async def all_keys() -> None:
         await pilot.press("7")
-    assert stage(room) == 1
+        session.tear_off("mine")
+        for action in sorted(every):
+            await room.run_action(action)
+
+    def state() -> object:
+        kept = {name: value for name, value in vars(session).items() if name not in UNSEEN}
+        return kept, session.machine.values(), room.focused and room.focused.id, shown(room)
+
+    fresh = state()
+    steps: list[Callable[[], Awaitable[object]]] = [
+        *(partial(pilot.press, keys) for keys in "7tgo"),
+        partial(pilot.press, "tab", "h"),
+        *(partial(pilot.click, place) for place in ("#sr3", "#stop")),
+        all_keys,
+    ]
+    for do in steps:
+        with case(do):
+            room.turn(40)
+            await do()
+            room.turn(40)
+            assert state() != fresh
+            room.turn(20)
+            await pilot.pause()
+            room.turn(0)
+            assert state() == fresh

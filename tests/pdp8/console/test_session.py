@@ -156,6 +156,28 @@ def test_a_halt_is_said_where_a_wait_was() -> None:
     assert (session.said, session.machine.pc) == ("HLT at 0200", 0o201)
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("7402", "HLT at 0200"),
+        ("6031 5200", "the program waits for a key at 0200"),
+        ("6031 5200 6036 5200", "the reader ran out of tape, and the program waits for it at 0200"),
+        ("5200", "an endless loop at 0200"),
+    ],
+)
+def test_what_became_of_a_program_is_said_each_time_that_it_is_started(words: str, said: str) -> None:
+    session = Session(Machine(), clock=lambda: 0.0)
+    session.machine.load(core(words))
+    if "6036" in words:
+        session.mount(Tape("t", b"A"))
+    for _ in range(3):
+        load_address(session, 0o200)
+        session.press("start")
+        session.advance(1)
+        assert session.said.startswith(said)
+        session.press("stop")
+
+
 def test_mem_prot_is_said(session: Session) -> None:
     session.machine.panel.mem_prot = True
     load_address(session, 0o7600)

@@ -34,7 +34,7 @@ def press(session: Session, coach: Coach, key: str, sr: int | None = None) -> bo
 def advance(session: Session, coach: Coach, seconds: float) -> None:
     session.advance(seconds)
     if coach.advance(seconds):
-        session.clear()
+        session.clear(session.tapes)
 
 
 def follow(session: Session, coach: Coach, end: int = 99) -> None:
@@ -160,10 +160,12 @@ def test_a_kiosk_that_is_left_alone_is_as_it_was_for_the_next(name: str) -> None
 
 
 def test_a_kiosk_that_nobody_touched_stays() -> None:
-    session, coach = room("rim", LEFT_ALONE)
+    _, coach = room("rim", LEFT_ALONE)
     assert not coach.advance(LEFT_ALONE)
-    session.machine.core[0] = 1
+    coach.touched()
+    assert not coach.advance(LEFT_ALONE - 0.1)
     assert coach.advance(0.1)
+    assert not coach.advance(LEFT_ALONE)
 
 
 def test_boot_is_done_if_bin_halts_where_it_does_with_all_in_core() -> None:
