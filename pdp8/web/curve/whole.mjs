@@ -46,7 +46,7 @@ function playing(/** @type {import("./drawing.mjs").Figure} */ figure, /** @type
     pictures.start();
     button.textContent = "Stop";
   });
-  figure.inputs[0].addEventListener("pointerdown", stop);
+  for (const place of [figure.inputs[0], figure.svg]) place.addEventListener("pointerdown", stop);
 }
 
 function picture(/** @type {ReturnType<typeof clocked>} */ { steps, read: reads, way, before, first }, /** @type {number} */ part, /** @type {number} */ width) {

@@ -150,6 +150,7 @@ export class Room {
     bench.touch(() => {});
     this.live = true;
     if (own) bench.adopt(own);
+    if (own) this.typed = Infinity; // on paper of its own
     const { punch, reader } = bench.machine.teletype;
     reader.lever(false); // else the visitor's program would read the story's tape
     punch.on = true;
@@ -244,7 +245,7 @@ export class Room {
 
   /** There are no switches to be pressed any more. */
   #letGo() {
-    if (this.live) this.own = this.bench.machine;
+    if (this.live) [this.own, this.typed] = [this.bench.machine, Infinity];
     this.live = this.typing = this.waits = false;
     this.choice = "";
     this.hands?.place.replaceChildren();

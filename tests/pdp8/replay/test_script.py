@@ -65,10 +65,16 @@ def test_blocks_and_rows(script: Script, circle: Afternoon) -> None:
 
 def test_steps_lead_there_and_back() -> None:
     """From an act's begin, into the program after a character, and over what ends an act; the machine is as
-    one that goes forwards only, within a cycle too.
+    one that goes forwards only, within a cycle too, and on from a snapshot at the tick of each action.
     """
     day = replay("drill")
     script, seen = Script(day.course), dict[int, dict[str, object]]()
+    for action in reversed(day.actions):
+        script.to(action.at)
+    script.to(0)
+    for action in day.actions:
+        script.to(action.at + FRAME)
+        seen[script.now] = state(script.machine)
 
     def steps(unit: Unit, most: int) -> None:
         instants = [script.now]

@@ -183,7 +183,7 @@ export const cases = {
     const [[[first, all], reads, ...more], , [[middle]], [[last, end], done]] = seen;
     return [[first < 10, reads, more, middle > first && middle < all, last === end, done], [true, "stands still", [true], true, true, "done"]];
   },
-  "Cut plays on from where it stands, Stop stops, a hand on the slider too": async () => {
+  "Cut plays on from where it stands, Stop stops, a hand on the slider or in the drawing too": async () => {
     const { whole } = await get("curve/whole");
     const { time } = inputs("whole", { time: [0] });
     const button = new Element();
@@ -195,9 +195,11 @@ export const cases = {
     const seen = [button.textContent, time.value];
     button.hear("click");
     seen.push(button.textContent);
-    button.hear("click");
-    time.hear("pointerdown");
-    seen.push(button.textContent, time.value);
+    for (const place of [time, find("whole").querySelector("svg")]) {
+      button.hear("click");
+      place.hear("pointerdown", { target: { closest: () => null } });
+      seen.push(button.textContent, time.value);
+    }
     const { matchMedia } = globalThis;
     globalThis.matchMedia = () => ({ matches: true });
     for (const at of ["400", "1000"]) {
@@ -206,7 +208,7 @@ export const cases = {
       seen.push(button.textContent, time.value);
     }
     globalThis.matchMedia = matchMedia;
-    return [seen, ["Stop", "400", "Cut", "Cut", "400", "Cut", "428", "Cut", "28"]];
+    return [seen, ["Stop", "400", "Cut", "Cut", "400", "Cut", "400", "Cut", "428", "Cut", "28"]];
   },
   "a band made straight names its sides where there is space between them": async () => {
     const { straightened } = await get("curve/drawing");

@@ -387,6 +387,50 @@ export const cases = {
     type(0o303);
     return [[made.struck, moved, made.typed, made.page.paper.lines], [["print", "feed", "bell", "print", "print"], [[true, false], [false, true], [true, false], [true, false]], 1, ["C"]]];
   },
+  "an act is the same wherever one comes from": async () => {
+    const detours = {
+      nothing,
+      "it played": (made) => (made.go({ value: 5 }), made.toggle(), [1, 2, 3].forEach(() => made.pass(0.09))),
+      "it was in a hurry": (made) => (made.go({ value: 5 }), made.toggle(), Array.from({ length: 99 }, () => made.pass(0.09))),
+      "it was at its end": (made) => (made.go({ value: 7 }), made.toggle(), Array.from({ length: 200 }, () => made.pass(0.09))),
+      "the switches were taken": (made) => (made.take(), made.pass(0.09), made.take()),
+      "a name was typed": (made) => {
+        made.take();
+        made.guide = { next: () => ({ say: "s", key: "", switches: -1 }), seen: { frames: [1], made: "A", run: 1, sr: 0, waits: true }, did: "did", start: 0 };
+        made.bench.machine.teletype.printer.frames.append(0o301);
+        made.show();
+        made.pass(0.09);
+        made.go({ value: 0 });
+      },
+      "one was at the desk": (made) => (made.leave(), made.enter()),
+    };
+    const differs = [];
+    for (const turn of [1, 4, 7]) {
+      let wanted;
+      for (const [name, detour] of Object.entries(detours)) {
+        const made = await drawn();
+        const { bench: { afternoon: { script }, led } } = made;
+        script.to = function to(tick) {
+          this.now = tick;
+          led.processor.lac = Math.floor(tick / 2e7) & 0o7777;
+        };
+        for (const code of [0o302, 0o303]) led.teletype.printer.frames.append(code);
+        made.bench.machine = await worked(1);
+        made.enter();
+        made.toggle();
+        detour(made);
+        made.playing = false;
+        made.go({ value: turn });
+        for (let times = 0; times < 20; times++) made.pass(0.1);
+        const texts = [".story", ".did", ".lamps"].map((each) => find("room").querySelector(each).textContent), buttons = ["pause", "write", "speak", "take"].map((id) => [find(id).hidden, find(id).textContent]);
+        const { at, filaments, live, page: { paper }, playing, tour, typing, waits } = made, lamps = [...filaments.lit.values()].flat().map(Math.round).join("");
+        const now = { at, buttons, chapter: made.chapters.findIndex((each) => each["aria-current"]), frames: made.frames.length, lamps, lit: made.seen.lit, live, paper: paper.lines, playing, texts, tick: tour.tick, typing, waits: Boolean(waits), when: made.texts() };
+        wanted ??= now;
+        for (const [what, is] of Object.entries(now)) if (JSON.stringify(is) !== JSON.stringify(wanted[what])) differs.push([turn, name, what, is, wanted[what]]);
+      }
+    }
+    return [differs, []];
+  },
   "what stands says so at once": async () => {
     const made = await drawn();
     made.still = true;
