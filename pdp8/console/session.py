@@ -60,14 +60,14 @@ class Session:
         """Whether the machine could not keep the speed in the last turn."""
         self.said = "standing still"
         """What became of the machine, in words."""
-        self.reader_tape = ""
-        """The name of the tape in the reader."""
         self.hand = 0
         """Which switch of the switch register the hand is at, 0 the leftmost."""
         self.listing = Listing()
         """The listing of the program in core."""
         self._explained_at = -1
         """Where the program waits, if that was explained already, else -1."""
+        self._names: dict[bytes, str] = {}
+        """The names of the tapes that were mounted, by what the reader has of them."""
         self._clock = clock
         self._slice = _SHORTEST
         self._hands: Iterator[None] | None = None
@@ -119,6 +119,11 @@ class Session:
         lamps = self.machine.panel.lamps
         self.brightness = shares(samples if samples and lamps.run else [lamps])
         """How bright each lamp is, 0 to 1, most significant first."""
+
+    @property
+    def reader_tape(self) -> str:
+        """The name of the tape in the reader, also after time ran back, or ""."""
+        return self._names.get(self.machine.teletype.reader.tape, "")
 
     @property
     def address(self) -> int:
@@ -197,8 +202,8 @@ class Session:
         """Put a tape into the reader, as Operator.mount does, and warn if ASCII programs cannot read it."""
         if doubt := codes.recognise(tape.frames).doubt(tape.frames):
             self.said = f"{tape.name} {doubt}"
-        self.reader_tape = tape.name
         self.operator.mount(tape.name, tape.frames)
+        self._names[self.machine.teletype.reader.tape] = tape.name
 
     def tear_off(self, name: str) -> Tape:
         """Tear off what was punched; it lies with the other tapes then, called `name`."""
@@ -215,7 +220,6 @@ class Session:
         self.tapes = [*tapes]
         self.speed = 1
         self.hand = 0
-        self.reader_tape = ""
         self.said = "standing still"
         self._look()
 

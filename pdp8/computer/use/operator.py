@@ -160,9 +160,8 @@ class Operator:
         if not self.panel.lamps.run:
             self.wait(self.pace.pressing)
         getattr(self.panel, key)()
-        if key in ("start", "cont") and self.lever_waits:
-            self._run_on(self.pace.lever)
-            self.throw_lever()
+        if key in ("start", "cont"):
+            self._throw_what_waits()
 
     def start(self, address: int, switches: int | None = None, seconds: float | None = None) -> Stop:
         """Set `switches`, start at `address`, run until it halts or needs a tape, at most for `seconds`."""
@@ -177,9 +176,14 @@ class Operator:
         self.wait(self.pace.pressing)
         self._note("start", None, f"START at {address:04o}.")
         self.panel.start()
-        if self.lever_waits:
+        self._throw_what_waits()
+
+    def _throw_what_waits(self) -> None:
+        """Throw a waiting lever; if time ran back to where it was at START, it stays there."""
+        if self.lever_waits and not self.reader.on:
             self._run_on(self.pace.lever)
             self.throw_lever()
+        self.lever_waits = False
 
     def go_on(self, seconds: float | None = None) -> Stop:
         """Press CONT and run as `start` does."""

@@ -320,7 +320,7 @@ async def test_ctrl_c_leaves_a_question_as_escape_does(room: Room, pilot: Pilot[
 
 @scene(size=(160, 45), program="eia.pal", reader="circle.asc", memory=0o20000)
 async def test_a_page_that_would_be_drawn_otherwise_looks_otherwise(room: Room, pilot: Pilot[None]) -> None:
-    """After each of three hundred steps, drawn from what changes a page."""
+    """After each of three hundred steps, drawn from what changes a page; time runs back, too."""
     session, draw, other = room.session, Random(1), shelf.program("tests/pdp8/console/typewriter.pal")
     machine, programs = session.machine, room.query_one(ListingPage).programs
     programs.append(other)
@@ -357,4 +357,6 @@ async def test_a_page_that_would_be_drawn_otherwise_looks_otherwise(room: Room, 
         with case(step):
             same = [page for page in pages if now[page][0] == before[page][0]]
             assert [page for page in same if now[page][1] != before[page][1]] == []
+            named = next(tape.frames for tape in session.tapes if tape.name == session.reader_tape)
+            assert teletype.reader.tape == named.lstrip(b"\0"), "the reader's strip has its name"
         before = now

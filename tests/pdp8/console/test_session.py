@@ -198,6 +198,8 @@ def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
     assert not session.machine.panel.lamps.run
     session.back(4)
     assert len(session.machine.teletype.punch.tape) < len(punched)
+    session.mount(session.tapes[0])
+    session.back()  # that, too, with the lever that waits
     session.press("cont")
     for _ in range(100):
         session.advance(0.05)
