@@ -77,6 +77,7 @@ class Session:
     def advance(self, seconds: float) -> None:
         """Let `seconds` pass in the room."""
         self._work(seconds)
+        self.behind = False
         samples: list[Lamps] = []
         if self.machine.panel.lamps.run:
             self._run(seconds * self.speed, samples)
@@ -105,7 +106,6 @@ class Session:
                 self._slice *= 2
             elif took > _BUDGET / 4:
                 self._slice = max(self._slice / 2, _SHORTEST)
-        self.behind = False
 
     def _ended(self, stop: Stop) -> str:
         """Return how a run ended, and why where something is wrong."""

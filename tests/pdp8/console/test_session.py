@@ -86,6 +86,12 @@ def test_a_computer_that_tires_falls_behind_and_leaves_nothing_out() -> None:
     assert session.machine.elapsed < 0.05
     turns = session.machine.instructions // 2
     assert session.machine.ac in (turns & 0o7777, turns + 1 & 0o7777)
+    session.press("stop")
+    session.advance(0.05)
+    assert not session.behind, "it stands still"
+    session.press("cont")
+    session.advance(0.05)
+    assert session.behind
     times = iter([0.0] * 1000)
     session.advance(0.001)
     assert not session.behind
