@@ -58,7 +58,7 @@ export class Room {
     /** @type {Hands} */ this.hands = LATER;
     /** @type {HTMLButtonElement[]} */ this.chapters = LATER;
     /** @type {Shown | null} */ this.shown = null; /** @type {Shown} */ this.form = LATER; /** @type {ReturnType<Minute["next"]>} */ this.step = LATER;
-    this.tall = false;
+    this.tall = this.cuts = false;
     this.before = this.told = this.fine = this.speed = 0;
     this.asked = this.choice = "";
     this.heard = /** @type {Record<string, number> | null} */ (null);
@@ -75,7 +75,7 @@ export class Room {
     this.place.querySelector("canvas").addEventListener("click", () => this.typing && find("mine").focus());
     new ResizeObserver(() => this.#resize()).observe(this.place);
     new ResizeObserver(() => this.#measure()).observe(this.place.querySelector(".told"));
-    document.addEventListener("visibilitychange", () => this.#wake());
+    document.addEventListener("visibilitychange", () => (document.hidden ? bench.sound.hum(0, 0) : this.#wake()));
   }
 
   get open() {
@@ -149,8 +149,10 @@ export class Room {
     bench.afternoon.playing = this.playing;
     bench.touch(() => {});
     this.live = true;
-    if (own) bench.adopt(own);
-    if (own) this.typed = Infinity; // on paper of its own
+    if (own) {
+      bench.adopt(own);
+      this.typed = Infinity; // on paper of its own
+    }
     const { punch, reader } = bench.machine.teletype;
     reader.lever(false); // else the visitor's program would read the story's tape
     punch.on = true;
@@ -474,7 +476,9 @@ export class Room {
     };
     const where = shown === WHOLE ? places(this.tall) : { panel: { x: 0, y: 0 } };
     const lit = (/** @type {string} */ name) => (this.live ? name !== "mill" : this.tour.lights(name));
+    this.cuts = false;
     const changes = this.scene.draw(this.camera, where, live, lit, seconds, shown);
+    this.bench.sound.hum(Number(this.playing), Number(this.playing && this.cuts));
     if (this.live) this.#overlay(where.panel, shown);
     return changes || moved.struck > 0.01 || moved.fed > 0.01 || filaments.moves || this.glides;
   }
@@ -534,10 +538,9 @@ export class Room {
     const { day: { mill_starts: starts }, now } = this.bench.afternoon.script;
     const second = (now - starts) / SECOND;
     const place = second >= 0 ? path.at(Math.min(second, path.times.total)) : path.first;
-    const cuts = second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0;
+    this.cuts = second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0;
     this.cutter = place;
-    if (cuts) moved.turns += seconds * 5;
-    this.bench.sound.hum(this.playing ? 1 : 0, this.playing && cuts ? 1 : 0);
+    if (this.cuts) moved.turns += seconds * 5;
     const measured = !this.live && tour.turn + 1 === tour.length;
     const close = measured && wall ? wall.closeness(tour.part) : 0;
     const { above } = tour;

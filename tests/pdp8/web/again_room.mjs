@@ -34,7 +34,7 @@ async function drawn() {
     script.to(tick);
     script.act = day.acts.find(({ ends }) => tick < ends) ?? day.acts.at(-1);
   };
-  Object.assign(bench, { writer: { text: (element, text) => (element.textContent = text), label: nothing }, sound: { on: false, hum: nothing, strike: (kind) => made.struck.push(kind), turn(on) { this.on = on; } } });
+  Object.assign(bench, { writer: { text: (element, text) => (element.textContent = text), label: nothing }, sound: { on: false, hum: (...loud) => (made.hum = loud), strike: (kind) => made.struck.push(kind), turn(on) { this.on = on; } } });
   Object.assign(made, { frames, struck: [], seen: {} });
   made.scene.draw = (camera, where, live, lit) => {
     made.seen = { panel: strokes(live.panel), teletype: strokes(live.teletype), lit: ["panel", "teletype", "mill"].filter(lit) };
@@ -66,7 +66,7 @@ export const cases = {
     const paces = Array.from({ length: 80 }, () => (made.pass(0.04), made.speed)).filter((pace) => pace);
     return [[paces.length > 30, Math.round(Math.max(...paces)), Math.round(Math.min(...paces))], [true, 1, 1]];
   },
-  "a tab that nobody sees asks for no picture until it is seen": async () => {
+  "a tab that nobody sees asks for no picture until it is seen, and is silent": async () => {
     const made = await drawn();
     page.hidden = true;
     made.enter();
@@ -74,7 +74,12 @@ export const cases = {
     page.hidden = false;
     page.hear("visibilitychange");
     page.hear("visibilitychange");
-    return [[asked, made.frames.length], [0, 1]];
+    made.pass(0.09);
+    const heard = [made.hum];
+    page.hidden = true;
+    page.hear("visibilitychange");
+    heard.push(made.hum);
+    return [[asked, made.frames.length, heard], [0, 1, [[1, 0], [0, 0]]]];
   },
   "the operator's key is pressed in the story, not at the visitor's switches": async () => {
     const made = await drawn();
@@ -424,8 +429,8 @@ export const cases = {
         for (let times = 0; times < 20; times++) made.pass(0.1);
         const texts = [".story", ".did", ".lamps"].map((each) => find("room").querySelector(each).textContent), buttons = ["pause", "write", "speak", "take"].map((id) => [find(id).hidden, find(id).textContent]);
         const { at, filaments, live, page: { paper }, playing, tour, typing, waits } = made, lamps = [...filaments.lit.values()].flat().map(Math.round).join("");
-        const now = { at, buttons, chapter: made.chapters.findIndex((each) => each["aria-current"]), frames: made.frames.length, lamps, lit: made.seen.lit, live, paper: paper.lines, playing, texts, tick: tour.tick, typing, waits: Boolean(waits), when: made.texts() };
-        wanted ??= now;
+        const now = { at, buttons, hum: made.hum, chapter: made.chapters.findIndex((each) => each["aria-current"]), frames: made.frames.length, lamps, lit: made.seen.lit, live, paper: paper.lines, playing, texts, tick: tour.tick, typing, waits: Boolean(waits), when: made.texts() };
+        wanted ??= { ...now, hum: [0, 0] };
         for (const [what, is] of Object.entries(now)) if (JSON.stringify(is) !== JSON.stringify(wanted[what])) differs.push([turn, name, what, is, wanted[what]]);
       }
     }
