@@ -11,19 +11,20 @@ export class Pad {
     this.heights = Array.from({ length: COUNT }, (_, n) => Math.round(5000 + 800 * Math.sin(n / 13) * Math.exp(-n / 90)));
     this.finger = null;
     svg.addEventListener("pointerdown", (event) => {
-      if (event.target?.closest("[data-hold]") || !this.#inside(event)) return;
+      if (this.finger || event.target?.closest("[data-hold]") || !this.#inside(event)) return;
       event.preventDefault();
       svg.setPointerCapture(event.pointerId);
       this.finger = this.#at(event);
+      this.pointer = event.pointerId; // no other finger draws meanwhile
       this.drawn = [this.finger.n, this.finger.n];
     });
     svg.addEventListener("pointermove", (event) => {
-      if (!this.finger) return;
+      if (!this.finger || event.pointerId !== this.pointer) return;
       this.#draw(this.finger, this.finger = this.#at(event));
       changed();
     });
-    for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, () => {
-      if (!this.finger) return;
+    for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, ({ pointerId }) => {
+      if (!this.finger || pointerId !== this.pointer) return;
       this.finger = null;
       this.#join();
       this.#smooth();

@@ -36,7 +36,7 @@ export class Figure {
     for (const event of ["input", "focusin", "focusout"]) this.element.addEventListener(event, () => this.later());
     this.svg.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => this.#take(event));
     this.svg.addEventListener("pointermove", (/** @type {PointerEvent} */ event) => this.#drag(event));
-    for (const event of ["pointerup", "pointercancel"]) this.svg.addEventListener(event, () => (this.held = null));
+    for (const event of ["pointerup", "pointercancel"]) this.svg.addEventListener(event, ({ pointerId }) => pointerId === this.held?.pointerId && (this.held = null));
     new IntersectionObserver(([{ isIntersecting }]) => {
       this.near = isIntersecting;
       this.later();
@@ -67,15 +67,15 @@ export class Figure {
 
   #take(/** @type {any} */ event) {
     const name = event.target.closest("[data-hold]")?.dataset.hold;
-    if (!name) return;
+    if (!name || this.held) return;
     event.preventDefault();
     this.svg.setPointerCapture(event.pointerId);
     this.#input(name).focus({ preventScroll: true });
-    this.held = { name, from: this.#at(event), start: Number(this.#input(name).value) };
+    this.held = { pointerId: event.pointerId, name, from: this.#at(event), start: Number(this.#input(name).value) };
   }
 
   #drag(/** @type {any} */ event) {
-    if (!this.held) return;
+    if (!this.held || event.pointerId !== this.held.pointerId) return;
     const { name, from, start } = this.held;
     const { x, y } = this.#at(event);
     this.set(name, this.holds[name].to({ x, y, dx: x - from.x, dy: y - from.y, start }));

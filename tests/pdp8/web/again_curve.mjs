@@ -97,20 +97,24 @@ export const cases = {
     figure.holds.size.to = ({ x, y, dx, dy, start }) => (came.push([x, y]), start + dx - dy);
     svg.getBoundingClientRect = () => ({ left: 10, top: 20, width: 500 }); // half as large as it is drawn
     const target = (hold) => ({ closest: () => (hold ? { dataset: { hold } } : null) });
-    const move = (x, y = 0) => (svg.hear("pointermove", { clientX: x, clientY: y }), size.value);
-    const take = (hold, x) => svg.hear("pointerdown", { target: target(hold), clientX: x, clientY: 0, preventDefault: nothing });
+    const move = (x, y = 0, pointerId = 1) => (svg.hear("pointermove", { clientX: x, clientY: y, pointerId }), size.value);
+    const take = (hold, x, pointerId = 1) => svg.hear("pointerdown", { target: target(hold), clientX: x, clientY: 0, pointerId, preventDefault: nothing });
     const seen = [move(5)];
     take("", 0);
     seen.push(move(7));
     take("size", 100);
     seen.push(move(103), move(105, 1));
-    svg.hear("pointerup");
+    take("size", 50, 2); // another finger
+    move(30, 0, 2);
+    svg.hear("pointerup", { pointerId: 2 });
+    seen.push(size.value);
+    svg.hear("pointerup", { pointerId: 1 });
     seen.push(move(150));
     take("size", 50);
     seen.push(move(51));
-    svg.hear("pointercancel");
+    svg.hear("pointercancel", { pointerId: 1 });
     seen.push(move(99));
-    return [[seen, came], [["10", "10", "16", "18", "18", "20", "20"], [[186, -40], [190, -38], [82, -40]]]];
+    return [[seen, came], [["10", "10", "16", "18", "18", "18", "20", "20"], [[186, -40], [190, -38], [82, -40]]]];
   },
   "a figure far away is not drawn, one near is drawn once for all changes": async () => {
     const { Figure } = await get("curve/drawing");
@@ -274,9 +278,10 @@ export const cases = {
     let changes = 0;
     const pad = new Pad(svg, () => (changes += 1));
     const view = pad.fit({ x: 0, y: 0, width: 1000, height: 640 });
-    const event = (name, x, y, hold = null) => svg.hear(name, { target: { closest: () => hold }, clientX: view.x(x), clientY: view.y(y), preventDefault: nothing });
+    const event = (name, x, y, hold = null, pointerId = 1) => svg.hear(name, { target: { closest: () => hold }, clientX: view.x(x), clientY: view.y(y), pointerId, preventDefault: nothing });
     const stroke = (...places) => {
       event("pointerdown", ...places[0]);
+      for (const name of ["pointerdown", "pointermove", "pointerup"]) event(name, 4000, 4400, null, 2); // another finger
       for (const place of places.slice(1)) event("pointermove", ...place);
       event("pointerup");
       return pad.heights.filter((_, at) => at % 25 === 0);

@@ -128,7 +128,7 @@ const WAYS = {
     const from = on(selector), svg = from.closest("svg");
     from.emit("pointerdown", places[0]);
     for (const place of places.slice(1)) svg.emit("pointermove", place);
-    svg.emit("pointerup");
+    svg.emit("pointerup", places.at(-1));
   },
   do: (_, value) => (0, eval)(`(async () => { const { workbench, curve } = globalThis; ${value} })()`),
   pass: () => undefined,
