@@ -10,12 +10,13 @@ export class Pad {
     this.svg = svg;
     this.heights = Array.from({ length: COUNT }, (_, n) => Math.round(5000 + 800 * Math.sin(n / 13) * Math.exp(-n / 90)));
     this.finger = null;
+    this.pointer = 0; // the finger that draws: no other does meanwhile
     svg.addEventListener("pointerdown", (event) => {
       if (this.finger || event.target?.closest("[data-hold]") || !this.#inside(event)) return;
       event.preventDefault();
       svg.setPointerCapture(event.pointerId);
       this.finger = this.#at(event);
-      this.pointer = event.pointerId; // no other finger draws meanwhile
+      this.pointer = event.pointerId;
       this.drawn = [this.finger.n, this.finger.n];
     });
     svg.addEventListener("pointermove", (event) => {
@@ -23,7 +24,7 @@ export class Pad {
       this.#draw(this.finger, this.finger = this.#at(event));
       changed();
     });
-    for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, ({ pointerId }) => {
+    for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, (/** @type {any} */ { pointerId }) => {
       if (!this.finger || pointerId !== this.pointer) return;
       this.finger = null;
       this.#join();

@@ -33,10 +33,11 @@ export class Figure {
     this.said = this.element.querySelector(".said");
     this.inputs = /** @type {HTMLInputElement[]} */ ([...this.element.querySelectorAll("input")]);
     this.holds = /** @type {Record<string, any>} */ ({});
+    this.held = /** @type {any} */ (null);
     for (const event of ["input", "focusin", "focusout"]) this.element.addEventListener(event, () => this.later());
     this.svg.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => this.#take(event));
     this.svg.addEventListener("pointermove", (/** @type {PointerEvent} */ event) => this.#drag(event));
-    for (const event of ["pointerup", "pointercancel"]) this.svg.addEventListener(event, ({ pointerId }) => pointerId === this.held?.pointerId && (this.held = null));
+    for (const event of ["pointerup", "pointercancel"]) this.svg.addEventListener(event, (/** @type {PointerEvent} */ { pointerId }) => pointerId === this.held?.pointerId && (this.held = null));
     new IntersectionObserver(([{ isIntersecting }]) => {
       this.near = isIntersecting;
       this.later();

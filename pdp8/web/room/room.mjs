@@ -538,7 +538,7 @@ export class Room {
     const { day: { mill_starts: starts }, now } = this.bench.afternoon.script;
     const second = (now - starts) / SECOND;
     const place = second >= 0 ? path.at(Math.min(second, path.times.total)) : path.first;
-    this.cuts = second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0;
+    this.cuts = Boolean(second >= 0 && place.down && this.cutter && Math.hypot(place.x - this.cutter.x, place.y - this.cutter.y) > 0);
     this.cutter = place;
     if (this.cuts) moved.turns += seconds * 5;
     const measured = !this.live && tour.turn + 1 === tour.length;

@@ -11,7 +11,7 @@ from textual.binding import Binding
 from textual.pilot import Pilot
 
 from pdp8.console.app import PanelFace, Room
-from pdp8.console.pages import DrillCard
+from pdp8.console.pages import DrillCard, Paper
 from tests.conftest import case
 from tests.pdp8.console.pictures import scene, shown
 
@@ -83,6 +83,7 @@ async def test_who_does_anything_at_a_kiosk_is_there_and_leaves_it_as_new(
     async def all_keys() -> None:
         await pilot.press("7")
         session.tear_off("mine")
+        room.query_one(Paper).take(0o301)
         for action in sorted(every):
             await room.run_action(action)
 
