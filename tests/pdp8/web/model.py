@@ -25,6 +25,13 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 SECOND = 20_000_000
 """Ticks."""
 EIA_PAL = binary.decode(shelf.read_bundled("eia.bin")).words.items()
+SHEET = "follow-a-digit"
+"""An exercise that no program answers."""
+PRESSED = (
+    "#drill", "#counts", "#in-words", "#lever", "#card summary", "#run-mill",
+    "#computer .enlarge", "#assemble",
+    *(f"#computer [data-key='{key}']" for key in ("load add", "exam", "dep")),
+)  # fmt: skip
 IDLE = """(() => {
   const { bus, processor } = workbench.machine;
   return !processor.run && bus.next_event(processor.clock) > 1e14;
@@ -103,7 +110,8 @@ class Model:
             self.run: 4, self.flip: 3, self.throw: 4, self.drop: 3, self.mount: 3, self.tear: 2,
             self.translate: 1, self.lead: 3, self.play: 4, self.drag: 4, self.take_over: 3,
             self.visit_room: 2, self.pick_unit: 2, self.pick_speed: 2, self.reload: 2,
-            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3, self.strike: 2, self.look: 3,
+            self.other_tab: 1, self.refuse: 1, self.answer: 2, self.restore: 3,
+            self.strike: 2, self.look: 3, self.press: 4,
         }  # fmt: skip
 
     def one(self) -> str:
@@ -199,8 +207,10 @@ class Model:
         """Open an exercise, and the program that answers it."""
         if self.refuses or self.led:
             return
-        self.exercise = self.draw.choice(("add", "larger"))
+        self.exercise = self.draw.choice(("add", "larger", SHEET))
         self._put("#exercise", self.exercise, "change")
+        if self.exercise == SHEET:
+            return
         self._click("#asked [data-click='exercises.begin']")
         begun = f"/ {form.read(self.exercise).title}\n*200\n\tHLT\n$\n"
         self.programs.setdefault(f"{self.exercise}.pal", begun)
@@ -251,6 +261,13 @@ class Model:
         until(self.page, "!workbench.machine.processor.run")
         self.sr = 0o200
         self.punched.append(int(self.text.split("C,\t")[1].split("\n")[0], 8))
+
+    def press(self) -> None:
+        """Press what changes nothing that the model knows; what is shown of it is compared all the same."""
+        if self.led:
+            return
+        self._click(self.draw.choice(PRESSED))
+        self._put("#eia", self.draw.choice(("", "circle-fewest.eia", "slope-fewest.eia")), "change")
 
     def look(self) -> None:
         """Open another tab."""

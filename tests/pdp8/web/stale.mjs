@@ -2,7 +2,7 @@
 // What the desk shows and is not so, once nothing moves: [[what, as it is shown, as it is], ...] (model.py).
 
 window.stale = () => {
-  const { afternoon, clock, editor, mill, teletype, machine, machine: { link, ac, processor, watch, highspeed: fast } } = workbench;
+  const { afternoon, clock, editor, exercises, mill, programs, shelf, switches: { card }, tabs, teletype, machine, machine: { link, ac, processor, watch, highspeed: fast } } = workbench;
   const { printer, punch, reader } = machine.teletype, at = (id) => document.getElementById(id);
   if (clock.pictures.running || afternoon.playing) return [];
   const all = (selector) => [...document.querySelectorAll(selector)], text = (selector) => document.querySelector(selector).textContent;
@@ -26,6 +26,13 @@ window.stale = () => {
     breakpoints: [all("#gutter button").filter((each) => (each.ariaPressed === "true") !== here(each.value)).length, 0],
     lines: [["#gutter", "#blocks", "#card"].filter((id) => all(`${id} .now`).length > 1 || all(`${id} [aria-current]`).length > 1), []],
     slider: afternoon.on ? [at("slider").getAttribute("aria-valuetext"), `${text("#clock")}, ${afternoon.script.act.name}`] : [],
+    card: [at("drill").ariaPressed, Boolean(card.coach)],
+    counts: [at("counts").checked, watch.observer === editor.counts],
+    cut: [mill.drawing && at("at").value, mill.drawing && Math.max(0, mill.part)],
+    exercise: [at("exercise").value, exercises.name],
+    lists: [all("#shelf option").slice(1).map((each) => each.value), shelf.names().filter((each) => !each.endsWith(".pal"))],
+    programs: [all("#sources optgroup[label=Yours] option").map((each) => each.value), programs.names()],
+    panes: [all("[data-tab]").filter((each) => !each.hidden).map(({ id }) => id), tabs.kept === "exercises" && !exercises.sheet ? ["program", "exercises"] : [tabs.kept]],
     tabs: [all("[role=tab]").filter((each) => each.ariaSelected === "true").length, 1],
     units: [workbench.time.unit, document.querySelector("#units :checked").value],
     speed: [String(clock.speed), at("speed").value],
