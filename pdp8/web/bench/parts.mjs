@@ -60,7 +60,7 @@ export function translated(/** @type {Iterable<number>} */ program, /** @type {s
 export class Parts {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    this.translating = false;
+    this.translating = /** @type {Machine | null} */ (null); // the machine at it
     this.name = ""; // of the tape that was punched
     find("part-name").replaceChildren(...bench.record.parts.map((/** @type {Part_} */ { name }) => new Option(name)));
     this.pad = new Pad(find("part-pad"), () => this.#drawn());
@@ -154,7 +154,7 @@ export class Parts {
     bench.switches.press("start");
     this.speed = bench.clock.speed;
     bench.time.setSpeed(Infinity);
-    this.translating = true;
+    this.translating = bench.machine;
     find("part-translated").textContent = "eia.pal is running.";
   }
 
@@ -165,10 +165,11 @@ export class Parts {
   }
 
   show() {
-    const { machine, time } = this.bench;
-    if (!this.translating || (machine.processor.run && !machine.waiting.endless)) return;
-    this.translating = false;
+    const { translating, bench: { machine, time } } = this, other = machine !== translating;
+    if (!translating || (!other && machine.processor.run && !machine.waiting.endless)) return;
+    this.translating = null;
     time.setSpeed(this.speed);
+    if (other) return void (find("part-translated").textContent = "");
     const { frames } = machine.teletype.punch;
     const minutes = grouped(Math.round(machine.elapsed / 60));
     find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes} minutes on the PDP-8/L.`;

@@ -237,12 +237,13 @@ _DONE = (
     "switches.press('sing step'); workbench.switches.press('mem prot'); workbench.switches.press('start');",
     "switches.card.toggle(); workbench.switches.flip({ value: 3 }); workbench.switches.press('load add');",
     "editor.count({ checked: true }); workbench.editor.mark({ value: 130 }); workbench.editor.run();",
+    "parts.name = 'circle.asc'; workbench.parts.translate();",
     "touch(({ highspeed: { punch, reader } }) => (reader.load([1, 2]), punch.frames.append(1)));",
 )
 """What a visitor may do at the machine."""
 _THERE = (
     r"machine |\.(?!program|speed|own)"
-    r"|#(clock|why|play|next|computer|registers|paper|block@hidden|reader|lever|punch|pc8)\b"
+    r"|#(clock|why|play|next|computer|registers|paper|block@hidden|reader|lever|punch|pc8|part)\b"
 )
 _CHANGED = """([before, there]) => {
   const now = walk.state(), all = [...new Set([...Object.keys(before), ...Object.keys(now)])];
