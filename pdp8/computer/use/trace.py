@@ -7,11 +7,12 @@ An instruction a line, or a memory cycle a line with its major state. The time i
 microseconds since START; the lamps are as it left them. Loops that only wait take one line.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pal.disassembler import microinstruction
 from pal.isa import DEFER, EXECUTE, FETCH, INDIRECT, IOT, JMP, OPERATIONS, STATES, refers_to
+from pal.symbols import SIGNIFICANT
 from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import CYCLE, IO_TICKS
@@ -36,7 +37,7 @@ class Listing:
 
     `lines` are as pass 3 typed them, TABs counted from where the source begins; `words` is {address: word},
     `places` {address: number of its line}, `numbers` {address: number of its line in the source, from 1},
-    `tapes` {address: its source tape, from 0}, `symbols` {name: value}.
+    `tapes` {address: its source tape, from 0}, `symbols` {name: value, or a tag's address with its field}.
     """
 
     def __init__(self, symbols: Mapping[str, int] | None = None) -> None:
@@ -51,8 +52,16 @@ class Listing:
     def of(assembly: "Assembly") -> "Listing":
         """Return the listing of an assembly."""
         listing = Listing(assembly.symbols)
+        tags: list[str] = []
+        here: list[int] = []
         for line in assembly.lines:
             source = line.source.expandtabs(8)
+            tags += _tags(source)
+            if line.address is not None:
+                here.append(line.address)
+            if source and here:
+                listing._place(tags, here)
+                tags, here = [], []
             if line.address is None or line.word is None:
                 listing.lines.append(f"{'':12}{source}".rstrip())
             else:
@@ -63,6 +72,13 @@ class Listing:
                 listing.lines.append(f"{line.address:04o}  {line.word:04o}  {source}".rstrip())
         return listing
 
+    def _place(self, tags: Sequence[str], addresses: Sequence[int]) -> None:
+        """Let `tags`, whose values have twelve bits, be those of `addresses` that they are the tags of."""
+        for tag in tags:
+            for address in addresses:
+                if self.symbols.get(tag) == address & 0o7777:
+                    self.symbols[tag] = address
+
     def fits(self, address: int, word: int) -> bool:
         """Tell whether the listing has `word` at `address`."""
         return self.words.get(address) == word
@@ -72,6 +88,12 @@ class Listing:
         if self.fits(address, word):
             return self.lines[self.places[address]]
         return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word, processor)}"
+
+
+def _tags(source: str) -> list[str]:
+    """Return what a line of the source may define with commas."""
+    before = source.partition("/")[0].upper().replace(";", " ").split(",")[:-1]
+    return [part.split()[-1][:SIGNIFICANT] for part in before if part.strip()]
 
 
 def instruction(location: int, word: int, processor: Processor | None = None) -> str:
