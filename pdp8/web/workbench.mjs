@@ -86,7 +86,7 @@ export class Bench {
   set kept({ state, breakpoints }) {
     this.before = { state, breakpoints };
     const machine = this.drives.restored(state);
-    for (const address of breakpoints) machine.watch.breakpoints.add(address & 0o7777);
+    for (const address of breakpoints) machine.watch.breakpoints.add(address & (machine.memory - 1));
     if (this.room.open) {
       machine.panel.stop();
       this.room.keep(machine);

@@ -317,7 +317,9 @@ export const cases = {
     const drives = { bare: () => "as it is", restored: () => running }, room = { open: true, keep: (found) => (room.found = found) };
     const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives });
     kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o201] });
-    return [[before, room.found === running, running.processor.run, running.watch.breakpoints.has(0o201)], [{ state: "as it is", breakpoints: [0o200] }, true, 0, true]];
+    Object.defineProperty(running, "memory", { value: 0o20000 });
+    kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o10201] });
+    return [[before, room.found === running, running.processor.run, [...running.watch.breakpoints]], [{ state: "as it is", breakpoints: [0o200] }, true, 0, [0o200, 0o300, 0o201, 0o10201]]];
   },
   "a session is found again part by part": async () => {
     const { Session } = await get("bench/session");
