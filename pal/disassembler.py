@@ -205,7 +205,7 @@ def _reached(words: Mapping[int, int], entries: Sequence[int], handled: set[int]
             continue
         reached.add(address)
         word = words[address]
-        target = address & 0o70000 | isa.refers_to(word, address & 0o7777)
+        target = isa.refers_to(word, address)
         if word >> 8 == isa.JMP << 1:
             waiting.append(target)
         elif word >> 9 != isa.JMP and not (isa.halts(word) and address + 1 in handled):
@@ -225,7 +225,7 @@ def _target(piece: Piece) -> int | None:
         return None
     if piece.value & isa.CURRENT_PAGE and not piece.address & isa.PAGE:
         return None
-    return piece.address & 0o70000 | isa.refers_to(piece.value, piece.address & 0o7777)
+    return isa.refers_to(piece.value, piece.address)
 
 
 def microinstruction(word: int) -> str | None:

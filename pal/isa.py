@@ -32,13 +32,18 @@ FETCH, DEFER, EXECUTE, NO_STATE, WORD_COUNT, CURRENT_ADDRESS, BREAK = 0, 1, 2, 3
 STATES = ("FETCH", "DEFER", "EXECUTE", "no state", "WORD COUNT", "CURR ADDR", "BREAK")
 """The major states, the last three a data break's; LOAD ADD, EXAM and DEP leave none of their lamps lit."""
 
-_ADDRESS, _PAGE, _CURRENT_PAGE, _JMP = ADDRESS, PAGE, CURRENT_PAGE, JMP
-"""The same as C numbers, where this file is compiled (isa.pxd)."""
+_ADDRESS, _PAGE, _FIELD, _CURRENT_PAGE, _JMP = ADDRESS, 0o77600, 0o70000, CURRENT_PAGE, JMP
+"""C numbers, where this file is compiled (isa.pxd); a page and a field with the field's three bits."""
 
 
 def refers_to(word: int, location: int) -> int:
-    """Return the address in the memory-reference instruction `word` fetched from `location`."""
-    return word & _ADDRESS | (location & _PAGE if word & _CURRENT_PAGE else 0)
+    """Return the address in the memory-reference instruction `word` fetched from `location`, in its field."""
+    return word & _ADDRESS | location & (_PAGE if word & _CURRENT_PAGE else _FIELD)
+
+
+def in_field(location: int, address: int) -> int:
+    """Return `address`, of which twelve bits count, in the field of `location`."""
+    return location & _FIELD | address & 0o7777
 
 
 def autoindexed(pointer: int) -> bool:

@@ -67,7 +67,7 @@ def of_word(word: int, location: int) -> list[str]:
 
 def _reference(word: int, location: int) -> str:
     operation = OPERATIONS[word >> 9]
-    address = refers_to(word, location)
+    address = refers_to(word, location & 0o7777)
     how = ""
     if word & INDIRECT:
         how = f"; indirect: {address:04o} holds the address"

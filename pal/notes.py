@@ -29,6 +29,7 @@ from pal.isa import (
     SNL,
     SZA,
     halts,
+    in_field,
     jumps_to,
     refers_to,
     tests_flag,
@@ -170,7 +171,7 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
             continue
         if operation >= JMS and _changes_field(cells, written.address):
             continue
-        target = written.address & 0o70000 | refers_to(written.word, written.address & 0o7777)
+        target = refers_to(written.word, written.address)
         if operation == JMP:
             jumps.append((written, target))
             aims.add(target)
@@ -216,9 +217,11 @@ def _flow(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[No
 def _run(cells: dict[int, Written], instructions: Mapping[str, int]) -> list[Note]:
     """Return notes on programs and subroutines that, without a branch, leave their words or hang."""
     called = {
-        refers_to(cell.word, cell.address) + 1
+        refers_to(cell.word, address) + 1
         for address, cell in cells.items()
-        if cell.word >> 8 == JMS << 1 and address < 0o10000 and _is_instruction(cell, instructions)
+        if cell.word >> 8 == JMS << 1
+        and _is_instruction(cell, instructions)
+        and not _changes_field(cells, address)
     }
     found = [_followed(cells, instructions, START, False)]
     found += [_followed(cells, instructions, start, True) for start in sorted(called - {START})]
@@ -249,7 +252,10 @@ def _followed(
         elif halts(word) or _skips(word) or word >> 9 in (ISZ, JMS) or word >> 8 == JMP << 1 | 1:
             return None
         printing = printing or word in _PRINT
-        address = refers_to(word, address) if word >> 9 == JMP else address + 1 & 0o7777
+        jumps = word >> 9 == JMP
+        if jumps and _changes_field(cells, address):
+            return None
+        address = refers_to(word, address) if jumps else in_field(address, address + 1)
         if address not in cells and cell.address + 1 == address and (called or len(passed) > 2):
             return note("PN39", cell.at, before=f"{cell.address:04o}", target=f"{address:04o}")
     return None
@@ -277,7 +283,7 @@ def _devices(cells: dict[int, Written], instructions: Mapping[str, int]) -> list
 def _jumps_over(cell: Written, address: int) -> bool:
     """Whether a word jumps back to an address or to one before it."""
     direct = cell.word >> 8 == JMP << 1
-    return direct and refers_to(cell.word, cell.address & 0o7777) <= address <= cell.address
+    return direct and refers_to(cell.word, cell.address) <= address <= cell.address
 
 
 def _changes_field(cells: dict[int, Written], address: int) -> bool:
@@ -301,7 +307,7 @@ def _goes_on(word: int, before: Written | None) -> bool:
 
 def _ends_loop(written: Written, before: Written | None) -> bool:
     """Whether a word is the JMP back of a loop that an ISZ before it ends."""
-    back = refers_to(written.word, written.address & 0o7777) <= written.address & 0o7777
+    back = refers_to(written.word, written.address) <= written.address
     is_jump = written.word >> 9 == JMP and not written.word & INDIRECT
     return is_jump and back and before is not None and before.word >> 9 == ISZ
 

@@ -6,7 +6,7 @@ every memory cycle and for every wait that was passed over.
 
 from typing import Protocol
 
-from pal.isa import AND, DCA, DEFER, EXECUTE, ISZ, JMS, TAD, WORD_COUNT, autoindexed
+from pal.isa import AND, DCA, DEFER, EXECUTE, ISZ, JMS, TAD, WORD_COUNT, autoindexed, in_field
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.hardware.signals import INTERRUPT
 
@@ -99,5 +99,4 @@ def read(processor: Processor) -> bool:
 def instruction_at(processor: Processor) -> int:
     """Return the address of the current or next instruction."""
     within = processor.next in (DEFER, EXECUTE)  # its first cycle has counted PC on
-    address = processor.pc - 1 & 0o7777 if within else processor.pc
-    return processor.extension.inst_field | address
+    return in_field(processor.extension.inst_field, processor.pc - within)

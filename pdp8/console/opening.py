@@ -26,7 +26,7 @@ def opening(
     an unreadable file.
     """
     rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
-    last = shelf.program(program) if program else shelf.bundled_program("eia.pal")
+    last = shelf.program(program, memory=memory) if program else shelf.bundled_program("eia.pal")
     label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
     tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
     machine = Machine(memory=memory)

@@ -194,7 +194,7 @@ class Breakpoints:
     def hit(self, machine: Machine) -> list[Point]:
         """Return the breakpoints at a machine's next address, whatever their conditions."""
         p, watch = machine.processor, machine.watch
-        places = {p.pc, p.ma} if p.state == EXECUTE and p.ir == JMS else {p.pc}
+        places = {machine.pc, machine.ma} if p.state == EXECUTE and p.ir == JMS else {machine.pc}
         return [
             point
             for point in self

@@ -6,17 +6,33 @@
     0241  6046          TLS              ◄── PC: control comes here from the word after the entry
 
 An entry is live while its word still names a place behind a JMS to it. A subroutine is the words that control
-can come to from its entry, forwards and up to the next live entry. What the words in core do not say is not
-known: a routine that is left by JMP, a return that was moved elsewhere.
+can come to from its entry, forwards and up to the next live entry. Behind a CIF, a JMS or JMP goes to its
+field. What the words in core do not say is not known: a routine that is left by JMP, a return that was moved.
 """
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from pal.isa import GROUP_2, GROUP_3, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, autoindexed, refers_to
+from pal.isa import (
+    GROUP_2,
+    GROUP_3,
+    INDIRECT,
+    IOT,
+    ISZ,
+    JMP,
+    JMS,
+    OPR,
+    REVERSED,
+    autoindexed,
+    in_field,
+    refers_to,
+)
+from pdp8.computer.machine import Machine
 
 ARGUMENTS = 4
 """Words behind a JMS, its arguments and skips included, among which it returns."""
+_CIF = 3
+"""Words before a JMS or JMP among which a CIF is looked for."""
 _DEEPEST = 64
 _SKIPS = 0o170
 _INTERRUPT = 0
@@ -29,11 +45,18 @@ class Frame(NamedTuple):
     entry: int | None
 
 
-def frames(core: Sequence[int], pc: int, ion: int) -> list[Frame]:
-    """Return the call stack, innermost first; it may be in the interrupt routine if ION is off."""
+def of(machine: Machine) -> list[Frame]:
+    """Return a machine's call stack."""
+    return frames(list(machine.core), machine.pc, machine.ion, machine.processor.extension.saved_inst)
+
+
+def frames(core: Sequence[int], pc: int, ion: int, interrupted: int = 0) -> list[Frame]:
+    """Return the call stack, innermost first; it may be in the interrupt routine, which returns to the field
+    `interrupted`, if ION is off.
+    """
     live = _live(core)
     if not ion and core[_INTERRUPT] and core[_INTERRUPT + 1]:
-        live[_INTERRUPT] = core[_INTERRUPT]
+        live[_INTERRUPT] = interrupted | core[_INTERRUPT]
     found: list[Frame] = []
     come = set[int]()
     while len(found) < _DEEPEST:
@@ -52,7 +75,7 @@ def _live(core: Sequence[int]) -> dict[int, int]:
     for location, word in enumerate(core):
         if word >> 9 == JMS:
             entry = _target(core, word, location)
-            if entry is not None and 1 <= core[entry] - location <= ARGUMENTS:
+            if entry is not None and 1 <= core[entry] - (location & 0o7777) <= ARGUMENTS:
                 live[entry] = location
     return live
 
@@ -60,9 +83,13 @@ def _live(core: Sequence[int]) -> dict[int, int]:
 def _target(core: Sequence[int], word: int, location: int) -> int | None:
     """Return the target of a JMS or JMP, None if its pointer was changed."""
     address = refers_to(word, location)
-    if not word & INDIRECT:
-        return address
-    return None if autoindexed(address) else core[address]
+    if word & INDIRECT:
+        if autoindexed(address):
+            return None
+        address = core[address]
+    before = (core[place] for place in range(location - 1, max(location - 1 - _CIF, -1), -1))
+    field = next(((word & 0o70) << 9 for word in before if word & 0o7702 == 0o6202), location)
+    return in_field(field if field < len(core) else location, address)
 
 
 def _entry(core: Sequence[int], live: Mapping[int, int], pc: int) -> int | None:

@@ -34,7 +34,7 @@ _BRACED = re.compile(r"\{([^{}]*)\}")
 def read(text: str, monitor: Monitor) -> Value:
     """Return the expression that `text` is. Raises MonitorError, saying what it cannot be."""
     try:
-        tree = ast.parse(_python(text), mode="eval").body
+        tree = ast.parse(_python(text, monitor.machine.memory - 1), mode="eval").body
     except (SyntaxError, RecursionError, MemoryError):
         raise MonitorError(f"{text}: an expression such as AC == 17 && core[CHK] != 0 was expected") from None
     return _value(tree, text, monitor, False)
@@ -52,15 +52,19 @@ def message(text: str, monitor: Monitor) -> Callable[[], str]:
     return made
 
 
-def _python(text: str) -> str:
-    """Return the expression in Python's words. Raises MonitorError for a sign that none has."""
+def _python(text: str, most: int) -> str:
+    """Return the expression in Python's words. Raises MonitorError for a sign that none has, a number beyond
+    `most`.
+    """
     found, at = [], 0
     while at < len(text.rstrip()):
         token = _TOKEN.match(text, at)
         if token is None:
             raise MonitorError(f"{text}: {text[at:].strip()[:1]} is not an operator; there are {_OPERATORS}")
         number, name, sign = token.groups()
-        found.append(f"0o{octal(number):o}" if number else f"_{name}" if name else _WORDS.get(sign, sign))
+        found.append(
+            f"0o{octal(number, most):o}" if number else f"_{name}" if name else _WORDS.get(sign, sign)
+        )
         at = token.end()
     return " ".join(found).strip()
 
@@ -74,11 +78,12 @@ def _value(node: ast.expr, text: str, monitor: Monitor, address: bool) -> Value:
             return _named(name[1:], monitor, address)
         case ast.Subscript(value=ast.Name(id="_core"), slice=inner):
             at, core = _value(inner, text, monitor, True), monitor.machine
-            return lambda: core.core[at() & 0o7777]
+            return lambda: core.core[at()]
         case ast.BinOp(left, sign, right):
             one, other = (_value(each, text, monitor, address) for each in (left, right))
             made = _MADE[type(sign)]
-            return lambda: made(one(), other()) & 0o7777
+            most = monitor.machine.memory - 1 if address else 0o7777
+            return lambda: made(one(), other()) & most
         case ast.Compare(left, [sign], [right]):
             one, other = (_value(each, text, monitor, address) for each in (left, right))
             made = _MADE[type(sign)]

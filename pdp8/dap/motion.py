@@ -8,14 +8,15 @@ as well: its routine returns through word 0.
 from collections.abc import Callable
 from typing import NamedTuple
 
-from pal.isa import EXECUTE, ISZ, JMS, refers_to
+from pal.isa import EXECUTE, ISZ, JMS, in_field, refers_to
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Stop
 from pdp8.computer.watch import Watch
-from pdp8.dap.calls import ARGUMENTS, frames
+from pdp8.dap import calls
+from pdp8.dap.calls import ARGUMENTS
 from tapes.errors import WorkError
 
 Look = Callable[[float], None]
@@ -23,9 +24,12 @@ Look = Callable[[float], None]
 
 
 class Goal(NamedTuple):
-    """The end of the subroutine at `entry`; after an interrupt the instruction is still to be executed."""
+    """The end of the subroutine at `entry` that was called from the field of `caller`; after an interrupt the
+    instruction is still to be executed.
+    """
 
     entry: int
+    caller: int
     interrupt: bool = False
 
     def places(self, machine: Machine) -> set[int]:
@@ -36,12 +40,12 @@ class Goal(NamedTuple):
             word >> 8 == ISZ << 1 and refers_to(word, address) == self.entry
             for address, word in enumerate(core)
         )
-        places = [back + offset & 0o7777 for offset in range(2 * ARGUMENTS if counts else 1)]
+        places = [in_field(self.caller, back + offset) for offset in range(2 * ARGUMENTS if counts else 1)]
         return set(places[: places.index(self.entry)] if self.entry in places else places)
 
     def reached(self, machine: Machine) -> bool:
         """Tell whether it has returned."""
-        return machine.pc == machine.core[self.entry]
+        return machine.pc == in_field(self.caller, machine.core[self.entry])
 
 
 def into(machine: Machine) -> Stop:
@@ -53,19 +57,19 @@ def into(machine: Machine) -> Stop:
 
 def over(machine: Machine) -> tuple[Stop, Goal | None]:
     """Execute one instruction; return the goal too if it was a call or interrupted."""
-    p = machine.processor
+    p, caller = machine.processor, machine.pc
     interrupt = p.next == INTERRUPT
     stop = into(machine)
     called = p.state == EXECUTE and p.ir == JMS
-    return stop, Goal(p.ma, interrupt) if called else None
+    return stop, Goal(machine.ma, caller, interrupt) if called else None
 
 
 def out(machine: Machine) -> Goal:
     """Return the end of the subroutine that the machine is in. Raises WorkError outside of one."""
-    entry = frames(list(machine.core), machine.pc, machine.ion)[0].entry
-    if entry is None:
+    inner, *callers = calls.of(machine)
+    if inner.entry is None:
         raise WorkError(f"{machine.pc:04o} is in no subroutine that was called by JMS: there is no way out")
-    return Goal(entry)
+    return Goal(inner.entry, callers[0].address)
 
 
 def back_to(

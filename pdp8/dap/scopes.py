@@ -38,7 +38,7 @@ _ROWS = {"ma": 12, "mb": 12, "ac": 12, "ir": 3}
 def stack_trace(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the call stack."""
     machine = debuggee.monitor.machine
-    found = calls.frames(list(machine.core), machine.pc, machine.ion)
+    found = calls.of(machine)
     start = arguments.get("startFrame") or 0
     end = start + (arguments.get("levels") or len(found))
     frames = [_frame(debuggee, number, frame) for number, frame in enumerate(found)]

@@ -160,8 +160,7 @@ export class Bench {
 
   /** A run has ended: say why and where. */
   ended(/** @type {string} */ reason) {
-    const { processor, watch } = this.machine;
-    const { pc, ma } = processor;
+    const { processor, watch, pc, ma } = this.machine;
     const place = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
     const { said } = this.until;
     this.aim();
@@ -171,9 +170,9 @@ export class Bench {
 
   /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */
   started(/** @type {string} */ key) {
-    const { pc } = this.machine.processor;
+    const { pc, watch } = this.machine;
     this.teletype.started();
-    if (key === "start" && this.machine.watch.breakpoints.has(pc)) this.ended("breakpoint");
+    if (key === "start" && watch.breakpoints.has(pc)) this.ended("breakpoint");
   }
 
   show(samples = /** @type {Lamps[] | undefined} */ (undefined)) {

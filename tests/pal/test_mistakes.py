@@ -14,6 +14,7 @@ import pal
 from tests.conftest import case
 
 FOLDER = Path(__file__).parent / "mistakes"
+_OF_FIELD_0 = "PN39 PN40 PN57 PN59 PN60"
 
 
 def test_what_is_said_of_each_is_what_was_read() -> None:
@@ -36,15 +37,18 @@ def test_what_is_said_of_each_is_what_was_read() -> None:
 
 def test_each_note_is_said_of_one_source_and_not_of_the_nearest() -> None:
     """A line of beside.txt: the note, a dialect or a model, and a source. Of `[one|other]` the first has no
-    such note and the second has it; ! ends a line; A{3} is AAA.
+    such note and the second has it; ! ends a line; A{3} is AAA. In field 1 it is the same, but for the notes
+    on where a program starts, is interrupted and is loaded.
     """
     for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines():
         code, how, _ = line.split(" ", 2)
         for said in (False, True):
             text = beside(line, said)
             with case(line, text):
-                found = pal.assemble(text, dialect=how) if how[0] == "p" else pal.assemble(text, model=how)
-                assert (code in [each.code for each in found.diagnostics]) == said
+                for start in ("", *["FIELD 1\n"] * (code not in _OF_FIELD_0)):
+                    dialect, model = (how, None) if how[0] == "p" else ("pal3", how)
+                    found = pal.assemble(start + text, dialect=dialect, model=model).diagnostics
+                    assert (code in [each.code for each in found]) == said, start
 
 
 def beside(line: str, said: bool) -> str:

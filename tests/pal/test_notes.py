@@ -70,6 +70,13 @@ def test_a_routine_without_a_first_word_is_noted_at_its_first_call() -> None:
     assert found == [2, 4]
 
 
+def test_a_subroutine_in_field_1_is_followed_and_a_jump_into_another_field_is_not() -> None:
+    for call, jump, notes in (("CLA", "CLA", 1), ("CIF 0", "CLA", 0), ("CLA", "CIF 0", 0)):
+        source = f"FIELD 1\n*200\n{call}\nJMS 240\nHLT\n*240\n0\n{jump}\nJMP 277\n*277\nCLA\n$\n"
+        found = pal.assemble(source, dialect="pal8").diagnostics
+        assert [each.code for each in found].count("PN39") == notes, source
+
+
 def test_a_constant_among_the_instructions_is_run_on_purpose() -> None:
     assert noted("*200\n\tCLA\nA,\t70\n\tTAD A\n\tHLT\n$\n") == []
     assert [note[2] for note in noted("*200\n\tCLA\nA,\t0\n\tJMS A\n\tHLT\n$\n")] == ["PN06"]

@@ -16,7 +16,7 @@ Not found out: why a program goes wrong and stays within its words.
 from collections.abc import Mapping
 from copy import copy
 
-from pal.isa import EXECUTE, INDIRECT, IOT, ISZ, JMP, JMS, autoindexed, refers_to
+from pal.isa import EXECUTE, INDIRECT, IOT, ISZ, JMP, JMS, autoindexed, in_field, refers_to
 from pdp8.computer.hardware.core import Core
 from pdp8.computer.hardware.fields import Values
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
@@ -130,7 +130,8 @@ def ended(stop: Stop, machine: Machine) -> str:
         if machine.processor.state != EXECUTE or machine.ir == JMS:  # PC is not behind the instruction
             return f"MEM PROT stopped a write into {machine.ma:04o}"
         skipped = machine.ir == ISZ and machine.mb == 0
-        return f"MEM PROT stopped a write at {stop.pc - 1 - skipped & 0o7777:04o} into {machine.ma:04o}"
+        at = in_field(stop.pc, stop.pc - 1 - skipped)
+        return f"MEM PROT stopped a write at {at:04o} into {machine.ma:04o}"
     if stop.reason is Reason.TAPE_OUT:
         return f"the reader ran out of tape, and the program waits for it at {stop.pc:04o}"
     if stop.reason is not Reason.IDLE:
@@ -211,19 +212,20 @@ _READER = {0: "no RFC asked for one", 1: "it has no tape", 2: "its tape has run 
 def _line(listing: Listing, core: Core, address: int) -> str:
     """Return an address with what is there, without its comment."""
     line = listing.line(address, core[address])
-    return f"{address:04o} ({' '.join(line[10:].partition('/')[0].split()) or f'{core[address]:04o}'})"
+    source = line[len(f"{address:04o}  0000") :].partition("/")[0].split()
+    return f"{address:04o} ({' '.join(source) or f'{core[address]:04o}'})"
 
 
 def _turn(machine: Machine) -> list[_Step]:
     """Run the loop once and return its instructions."""
     p = machine.processor
-    first = p.pc, p.lac
+    first = machine.pc, p.lac
     turn: list[_Step] = []
     p.run = 1
     while len(turn) < _LONGEST:
-        turn.append(_Step(p.pc, p.core[p.pc]))
+        turn.append(_Step(machine.pc, p.core[machine.pc]))
         p.instruction()
-        if (p.pc, p.lac) == first:
+        if (machine.pc, p.lac) == first:
             break
     return turn
 
@@ -239,7 +241,7 @@ def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> lis
             return [Why(FIRST_WORD, step.address)]
         if step.word >> 9 == JMP and step.word & INDIRECT:
             pointer = refers_to(step.word, step.address)
-            call = machine.core[pointer] - 1 & 0o7777
+            call = in_field(pointer, machine.core[pointer] - 1)
             inner = _Step(call, machine.core[call])
             if inner.leads_to(JMS) == pointer and all(other.address != call for other in turn):
                 return [Why(WITHIN, call, pointer)]
@@ -257,7 +259,8 @@ def _interrupts(machine: Machine, turn: list[_Step]) -> list[Why]:
     flags = [device.code for device in machine.bus if device.flag]
     if not entries or not flags or len(turn) == _LONGEST:
         return []
-    return [Why(UNCLEARED, machine.core[0], code=flags[0])]
+    interrupted = in_field(machine.processor.extension.saved_inst, machine.core[0])
+    return [Why(UNCLEARED, interrupted, code=flags[0])]
 
 
 def _returns(turn: list[_Step], pointer: int) -> int:
@@ -305,7 +308,7 @@ def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
                 own.add(machine.ma)  # the first word of what it calls
             return machine.pc not in own and machine.core[machine.pc] == core[machine.pc]
 
-        places = {address for address in range(0o10000) if address not in own}
+        places = {address for address in range(len(core)) if address not in own}
         if not rewind.come_to(history, now, places, left):
             return []
         to, flags = machine.pc, [device.code for device in machine.bus if device.flag]
@@ -318,14 +321,15 @@ def departure(machine: Machine, to: int, words: Mapping[int, int], flags: list[i
     address = machine.pc
     word = machine.core[address]
     operation, pointer = word >> 9, refers_to(word, address) if word >> 9 <= JMP else -1
+    field = machine.processor.extension.inst_buffer
     written = [Why(WRITTEN, address, words[address])] if words.get(address, word) != word else []
     if operation in (JMS, JMP):
         target = pointer
         if word & INDIRECT:
-            target = machine.core[pointer] + autoindexed(pointer) & 0o7777
-        if to == (target + (operation == JMS)) & 0o7777:
+            target = machine.core[pointer] + autoindexed(pointer)
+        if to == in_field(field, target + (operation == JMS)):
             return [*written, Why(JUMPED, address, to, pointer if word & INDIRECT else -1)]
-    elif to in (address + 1 & 0o7777, address + 2 & 0o7777):
+    elif to in (in_field(address, address + 1), in_field(address, address + 2)):
         return [Why(LEFT, address, to)]
     return [Why(INTERRUPTED, address, to, code=flags[0] if flags else 0)]
 

@@ -54,7 +54,7 @@ class Goal:
 def _at_a_breakpoint(machine: Machine) -> bool:
     """Whether the machine is at a breakpoint: the next instruction or the target of the JMS just done."""
     p, watch = machine.processor, machine.watch
-    return p.next == FETCH and (p.pc in watch.breakpoints or watch.called(p))
+    return p.next == FETCH and (machine.pc in watch.breakpoints or watch.called(p))
 
 
 class _Watched(Goal):

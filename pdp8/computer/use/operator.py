@@ -271,7 +271,7 @@ class Operator:
         """Return what was read of `words` since `began`."""
         seconds = (self.machine.processor.clock - began) / TICKS_PER_SECOND
         core = self.machine.core
-        loaded = sum(core[address & 0o7777] == word for address, word in words.items())
+        loaded = sum(core[address & self.machine.memory - 1] == word for address, word in words.items())
         return Loading(what, 2, self.reader.position, 1, loaded, seconds, len(words) - loaded)
 
     def _run_on(self, seconds: float) -> None:

@@ -112,7 +112,7 @@ def read_sources(tapes: Sequence[bytes], names: Sequence[str], memory: int = FIE
     return program
 
 
-def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str, memory: int = FIELD) -> Program:
+def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str, memory: int) -> Program:
     from pal.assembling import assemble
     from pal.messages import DIALECT, worded
 

@@ -108,7 +108,7 @@ def instruction(location: int, word: int, processor: Processor | None = None) ->
             return "DTLA"
     if code > JMP:
         return microinstruction(word) or f"{word:04o}"
-    return f"{OPERATIONS[code]} {'I ' if word & INDIRECT else ''}{refers_to(word, location):04o}"
+    return f"{OPERATIONS[code]} {'I ' if word & INDIRECT else ''}{refers_to(word, location & 0o7777):04o}"
 
 
 class Trace:

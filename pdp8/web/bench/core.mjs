@@ -38,7 +38,7 @@ export class Core {
   runUntil() {
     const { bench } = this;
     bench.afternoon.takeOver();
-    bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & 0o7777));
+    bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & (bench.machine.memory - 1)));
   }
 
   set(/** @type {HTMLInputElement} */ cell) {

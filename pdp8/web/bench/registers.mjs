@@ -24,29 +24,29 @@ export class Registers {
     const { machine } = this.bench;
     const { processor, teletype } = machine;
     return {
-      PC: octal(processor.pc),
+      PC: octal(machine.pc),
       L: machine.link,
       AC: octal(machine.ac),
-      MA: octal(processor.ma),
+      MA: octal(machine.ma),
       MB: octal(processor.mb),
       IR: processor.ir,
       state: STATES[processor.state],
       ION: processor.ion ? "on" : "off",
       "reader flag": teletype.receiver.flag ? "up" : "down",
       "printer flag": teletype.transmitter.flag ? "up" : "down",
-      core: wrote(processor) ? `${octal(processor.ma)} ← ${octal(processor.mb)}` : "–",
+      core: wrote(processor) ? `${octal(machine.ma)} ← ${octal(processor.mb)}` : "–",
       instructions: grouped(processor.instructions),
       "since START": processor.instructions ? seconds(machine.ticks) : "–",
-      next: meaning(processor.core[processor.extension.inst_field | processor.pc], processor.pc)[0],
+      next: meaning(processor.core[machine.pc], machine.pc)[0],
     };
   }
 
   set(/** @type {HTMLInputElement} */ input) {
-    const name = { PC: "pc", AC: "ac", L: "link" }[/** @type {"PC" | "AC" | "L"} */ (input.ariaLabel)];
-    const word = parseInt(input.value, 8) & (name === "link" ? 1 : 0o7777);
+    const name = /** @type {"pc" | "ac" | "link"} */ ({ PC: "pc", AC: "ac", L: "link" }[/** @type {"PC" | "AC" | "L"} */ (input.ariaLabel)]);
+    const word = /^[0-7]{1,5}$/.test(input.value) ? parseInt(input.value, 8) : NaN;
     input.blur();
     this.bench.touch((machine) => {
-      if (/^[0-7]{1,4}$/.test(input.value)) /** @type {any} */ (machine)[name] = word;
+      if (word <= { pc: machine.memory - 1, ac: 0o7777, link: 1 }[name]) machine[name] = word;
     });
   }
 }

@@ -89,6 +89,28 @@ def in_the_machine(call: Call, tape: bytes, way: str) -> tuple[Core | list[int],
     return state.restore(Path("x").read_text()).core, said
 
 
+def test_every_way_takes_a_program_of_field_1_where_there_is_one(call: Call) -> None:
+    """As source, on two tapes, and as a tape: by `run`, the monitor, the debugger and the panel."""
+    first, second = "*200\nHLT\n", "FIELD 1\n*300\n1234\n$\n"
+    for name, content in (("a.pal", first), ("b.pal", second), ("x.pal", first + second)):
+        Path(name).write_text(content)
+    assert call("pdp8 pal x.pal -o x.bin")[0] == 0
+    wanted = {0o200: 0o7402, 0o10300: 0o1234}
+    for names in (["x.pal"], ["x.bin"], ["a.pal", "b.pal"]):
+        monitor, _ = Launch.of({"program": names, "memory": "8k"}).ready(print)
+        cores: list[Core | list[int]] = [monitor.machine.core]
+        if len(names) == 1:
+            cores.append(opening(names[0], memory=0o20000)[0].machine.core)
+            for line, typed in (
+                (f"pdp8 run {names[0]} --memory 8k --save x", ""),
+                ("pdp8 monitor -", f"set cpu 8k\nload {names[0]}\nsave x\n"),
+            ):
+                assert call(line, typed.encode())[0] == 0
+                cores.append(state.restore(Path("x").read_text()).core)
+        for core in cores:
+            assert {address: word for address, word in enumerate(core) if word} == wanted
+
+
 @pytest.mark.parametrize("tape", FOUND, ids=FOUND.values())
 def test_every_command_reads_it(tape: bytes, call: Call) -> None:
     Path("x.bin").write_bytes(tape)

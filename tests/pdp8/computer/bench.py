@@ -23,18 +23,23 @@ def octal(words: str) -> list[int]:
 
 
 def machine(
-    words: str = "", tape: bytes | None = None, highspeed: bool = False, form: str = "", **registers: int
+    words: str = "",
+    tape: bytes | None = None,
+    highspeed: bool = False,
+    form: str = "",
+    field: int = 0,
+    **registers: int,
 ) -> Machine:
-    """Return a machine with `core(words)` and a tape in its reader, started at 0200, then `registers` set;
-    `form` is one of the package's, else the one in use.
+    """Return a machine with `core(words)` in a field and a tape in its reader, started at 0200 there, then
+    `registers` set; `form` is one of the package's, else the one in use.
     """
-    made: Machine = (machine_module(form).Machine if form else Machine)()
+    made: Machine = (machine_module(form).Machine if form else Machine)(memory=(field + 1) << 12)
     if highspeed:
         made.fit(made.highspeed)
-    made.load(core(words))
+    made.load({field << 12 | address: word for address, word in core(words).items()})
     if tape is not None:
         (made.highspeed if highspeed else made.teletype).reader.load(tape)
-    made.start(0o200)
+    made.start(field << 12 | 0o200)
     for name, value in registers.items():
         setattr(made, name, value)
     return made

@@ -21,6 +21,7 @@ from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.dap.session import Session
+from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import binary
 from tapes.errors import WorkError
@@ -373,6 +374,18 @@ def test_an_expression_has_12_bits_and_a_comparison_one(text: str, value: int, p
     monitor, _ = Launch.of({"program": [program]}).ready(lambda line: None)
     assert expressions.read(text, monitor)() == value
     assert expressions.message(f"is {{{text}}}, {{N}}.", monitor)() == f"is {value:04o}, 7775."
+
+
+def test_an_address_has_its_field_in_an_expression(tmp_path: Path) -> None:
+    """And a number is as large as core, in 4K as well."""
+    (tmp_path / "x.pal").write_text("*200\nHLT\nFIELD 1\n*200\nN, 1234\n5\n$\n")
+    monitor, _ = Launch.of({"program": str(tmp_path / "x.pal"), "memory": "8k"}).ready(print)
+    for text, value in (("N", 0o1234), ("core[N+1]", 5), ("core[10200]", 0o1234), ("core[200]", 0o7402)):
+        assert expressions.read(text, monitor)() == value, text
+    for each, most in ((monitor, 0o17777), (Monitor(print), 0o7777)):
+        assert expressions.read(f"core[{most:o}]", each)() == 0
+        with pytest.raises(MonitorError, match=f"{most + 1:o}: not between 0+ and {most:o}"):
+            expressions.read(f"core[{most + 1:o}]", each)
 
 
 HEAD = b"Content-Length: 2\r\n\r\n"

@@ -22,25 +22,31 @@ from pdp8.dap.scopes import stack_trace
 from pdp8.monitor.prompt import Monitor
 
 FOLDER = Path(__file__).parent
+in_both_fields = pytest.mark.parametrize("field", [0, 0o10000], ids=["field 0", "field 1"])
 
 
-def began(source: str, folder: Path, **more: object) -> Debuggee:
+def began(source: str, folder: Path, field: int = 0, **more: object) -> Debuggee:
     """Return what is debugged, stopped at 0200 as a debugger begins; `more` of its configuration."""
+    if field:
+        source, more = f"FIELD 1\n{source}", {"memory": "8k", "start": "10200", **more}
     (folder / "x.pal").write_text(source)
     return Debuggee(Launch.of({"program": str(folder / "x.pal"), **more}), Breakpoints())
 
 
-def machine_with(name: str) -> Machine:
-    machine = Machine()
-    machine.load(shelf.program(str(FOLDER / name) if (FOLDER / name).exists() else name).words)
-    machine.start(0o200)
+def machine_with(name: str, field: int = 0) -> Machine:
+    machine = Machine(memory=2 * field or 0o10000)
+    words = shelf.program(str(FOLDER / name) if (FOLDER / name).exists() else name).words
+    machine.load({field | address: word for address, word in words.items()})
+    machine.panel.data_field = field >> 12
+    machine.start(field | 0o200)
     return machine
 
 
+@in_both_fields
 @pytest.mark.parametrize("name", ["nested.pal", "before_main.pal", "eia.pal"])
-def test_the_callers_are_those_that_called(name: str) -> None:
+def test_the_callers_are_those_that_called(name: str, field: int) -> None:
     """What each JMS pushes as it is done, a jump to the return pops."""
-    machine = machine_with(name)
+    machine = machine_with(name, field)
     machine.teletype.reader.load(bytes(0o200 | code for code in b"N10 X3\r\n"))
     entries: list[int] = []
     depths = set()
@@ -49,7 +55,7 @@ def test_the_callers_are_those_that_called(name: str) -> None:
             break
         p, core = machine.processor, list(machine.core)
         if p.state == 2 and p.ir == 4:
-            entries.append(p.ma)
+            entries.append(machine.ma)
         elif p.ir == 5 and entries and p.pc == core[entries[-1]]:
             entries.pop()
         found = [frame.entry for frame in calls.frames(core, machine.pc, 0)]
@@ -126,6 +132,27 @@ def test_a_jump_through_a_word_that_is_no_entry_is_no_return() -> None:
     assert seen == [[0o210, None]] * 3
 
 
+@in_both_fields
+def test_a_call_into_another_field_returns_from_there(field: int, tmp_path: Path) -> None:
+    """As CIF, JMS call it and CIF, JMP I leave it."""
+    other = 1 - (field >> 12)
+    words = f"*200\n62{other}2\nJMS 300\nHLT\nFIELD {other}\n*300\n0\nCLA\n62{1 - other}2\nJMP I 300\n$\n"
+    debuggee = began(words, tmp_path, field, memory="8k")
+    machine = debuggee.monitor.machine
+    debuggee.into()
+    again = copy.copy(machine)
+    halt = debuggee.over()
+    while halt is None:
+        halt = debuggee.advance()
+    assert (halt, machine.pc) == (Halt("step"), field | 0o202)
+    motion.into(again)
+    called = other << 12 | 0o300
+    for _ in range(3):
+        assert calls.of(again) == [(again.pc, called), (field | 0o201, None)]
+        assert motion.out(again).places(again) == {field | 0o202}
+        motion.into(again)
+
+
 @pytest.mark.parametrize("step", [Debuggee.into, Debuggee.over])
 @pytest.mark.parametrize(
     ("words", "protected", "halt"),
@@ -167,14 +194,16 @@ def test_an_interrupted_instruction_is_stepped_over_with_its_interrupt(tmp_path:
     assert machine.pc == word & 0o177 | interrupted & 0o7600
 
 
-def test_a_step_over_a_call_passes_a_log_message(tmp_path: Path) -> None:
-    debuggee = began("*200\nJMS SUB\nHLT\nSUB,0\nCLA\nJMP I SUB\n$\n", tmp_path)
-    asked = {"name": "204", "logMessage": "in SUB"}
-    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [("204", asked)])
+@in_both_fields
+def test_a_step_over_a_call_passes_a_log_message(field: int, tmp_path: Path) -> None:
+    debuggee = began("*200\nJMS SUB\nHLT\nSUB,0\nCLA\nJMP I SUB\n$\n", tmp_path, field)
+    asked = {"name": "SUB+2", "condition": "core[SUB+1] == 7200", "logMessage": "from {core[SUB]}"}
+    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [("SUB+2", asked)])
     halt = debuggee.over()
     while halt is None:
         halt = debuggee.advance()
-    assert (halt, debuggee.monitor.machine.pc, debuggee.notes()) == (Halt("step"), 0o201, "in SUB\n")
+    ended = halt, debuggee.monitor.machine.pc, debuggee.notes()
+    assert ended == (Halt("step"), field | 0o201, "from 0201\n")
 
 
 @pytest.mark.parametrize(
@@ -185,22 +214,26 @@ def test_a_step_over_a_call_passes_a_log_message(tmp_path: Path) -> None:
         ({0o212: 0o201, 0o213: 0o2212}, {*range(0o201, 0o211)}),
     ],
 )
-def test_the_places_that_a_subroutine_returns_to(words: dict[int, int], places: set[int]) -> None:
-    machine = Machine()
-    machine.load(words)
-    assert motion.Goal(min(words)).places(machine) == places
+@in_both_fields
+def test_the_places_that_a_subroutine_returns_to(words: dict[int, int], places: set[int], field: int) -> None:
+    machine = Machine(memory=0o20000)
+    machine.load({field | address: word for address, word in words.items()})
+    goal = motion.Goal(field | min(words), field)
+    assert goal.places(machine) == {field | place for place in places}
 
 
+@in_both_fields
 @pytest.mark.parametrize(("undebugged", "kind"), [(True, "step"), (False, ADDRESSES)])
 def test_a_step_over_ends_at_a_breakpoint_unless_there_is_no_debugging(
-    undebugged: bool, kind: str, tmp_path: Path
+    undebugged: bool, kind: str, field: int, tmp_path: Path
 ) -> None:
-    debuggee = began("*200\nJMS A\nHLT\nA,0\nJMP I A\n$\n", tmp_path, noDebug=undebugged)
-    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [("0201", {"name": "0201"})])
+    debuggee = began("*200\nJMS A\nHLT\nA,0\nJMP I A\n$\n", tmp_path, field, noDebug=undebugged)
+    name = f"{field | 0o201:o}"
+    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [(name, {"name": name})])
     halt = debuggee.over()
     while halt is None:
         halt = debuggee.advance()
-    assert (halt.reason, debuggee.monitor.machine.pc) == (kind, 0o201)
+    assert (halt.reason, debuggee.monitor.machine.pc) == (kind, field | 0o201)
 
 
 def test_a_machine_that_is_stopped_says_at_what(tmp_path: Path) -> None:

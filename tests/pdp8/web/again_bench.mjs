@@ -211,8 +211,10 @@ export const cases = {
     const input = (ariaLabel, value) => made.set({ ariaLabel, value, blur: () => (blurred += 1) });
     const { machine: own } = made.bench;
     let blurred = 0;
-    const seen = [["AC", "7777"], ["AC", "10000"], ["AC", "8"], ["L", "1"], ["L", "2"], ["PC", "200"], ["PC", ""]].map(([name, value]) => (input(name, value), [own.ac, own.link, own.pc]));
-    return [[seen, blurred], [[[4095, 0, 0], [4095, 0, 0], [4095, 0, 0], [4095, 1, 0], [4095, 0, 0], [4095, 0, 128], [4095, 0, 128]], 7]];
+    const seen = [["AC", "7777"], ["AC", "10000"], ["AC", "8"], ["L", "1"], ["L", "2"], ["PC", "200"], ["PC", ""], ["PC", "10000"]].map(([name, value]) => (input(name, value), [own.ac, own.link, own.pc]));
+    made.bench.machine = new own.constructor(null, 0o20000);
+    input("PC", "10200");
+    return [[seen, blurred, made.bench.machine.pc], [[[4095, 0, 0], [4095, 0, 0], [4095, 0, 0], [4095, 1, 0], [4095, 1, 0], [4095, 1, 128], [4095, 1, 128], [4095, 1, 128]], 9, 0o10200]];
   },
   "a link's state is whole again, and no longer than it may be": async () => {
     const { LONGEST, opened, shortened, whole } = await get("bench/sharing");
@@ -377,9 +379,13 @@ export const cases = {
   "counts are of fetches, and of the turns of a loop that is passed over": async () => {
     const { Counts } = await get("bench/counts");
     const counts = new Counts();
-    for (const state of [0, 1, 2, 0]) counts.cycle({ state, ma: 0o200 });
-    counts.waited({ pc: 0o7777 }, 10);
-    return [[counts.executed[0o200], counts.executed[0o7777], counts.executed[0], counts.executed[1]], [2, 5, 5, 0]];
+    const seen = [];
+    for (const field of [0, 0o10000]) {
+      for (const state of [0, 1, 2, 0]) counts.cycle({ state, ma: 0o200, extension: { field } });
+      counts.waited({ pc: 0o7777, extension: { inst_field: field } }, 10);
+      seen.push([0o200, 0o7777, 0, 1].map((address) => counts.executed[field + address]));
+    }
+    return [seen, [[2, 5, 5, 0], [2, 5, 5, 0]]];
   },
   "an error is brought under the eye where it stands": async () => {
     const { Editor } = await get("bench/editor");

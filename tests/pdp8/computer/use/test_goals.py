@@ -1,5 +1,7 @@
 """What a run goes on until, and steps forward: a program that prints, stopped where it should be."""
 
+from itertools import product
+
 import pytest
 
 from pdp8.computer.machine import Machine
@@ -71,16 +73,17 @@ def test_a_character_is_one_that_is_read_or_typed_or_printed(printing: Machine) 
 
 
 def test_no_breakpoint_is_stepped_over() -> None:
-    """Whatever the length of a slice: a loop's own, a JMS's, and beside another goal."""
-    for kind, ticks in [(kind, ticks) for kind in ("", "word", "frame") for ticks in range(1, 200)]:
-        m = machine("7001 4204 5200 7402 0 5604")  # IAC, JMS 204, JMP 200; 204: JMP I 204
+    """Whatever the length of a slice: a loop's own, a JMS's, and beside another goal; in field 1 too."""
+    kinds = (0, ""), (0, "word"), (0, "frame"), (1, "")
+    for (field, kind), ticks in product(kinds, range(1, 200)):
+        m = machine("7001 4204 5200 7402 0 5604", field=field)  # IAC, JMS 204, JMP 200; 204: JMP I 204
         goal = goals.until(m, kind, 0o300) if kind else goals.Goal()
         for breakpoint in (0o200, 0o204, 0o205):
-            m.watch.breakpoints = {breakpoint}
+            m.watch.breakpoints = {field << 12 | breakpoint}
             reasons = []
             while Reason.BREAKPOINT not in reasons:
                 reasons.append(goal.run(m, ticks))
-                assert m.ac < 5, (kind, ticks, breakpoint)
+                assert m.ac < 5, (field, kind, ticks, breakpoint)
             m.ac = 0
 
 

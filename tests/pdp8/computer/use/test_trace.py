@@ -21,7 +21,9 @@ def test_a_listing_is_the_assemblys() -> None:
 
 def test_a_tag_has_the_field_of_its_word() -> None:
     """A symbol's value has twelve bits: what is typed for a tag, `break TAG`, is the address of its word."""
-    fields = "A,\tHLT\nFIELD 1\n*200\nB,\tCLA; C,\tHLT /A, B\nD,\n\nEND1234,\tHLT\nK=201\nFIELD 2\n*300\n\tHLT\n"
+    fields = (
+        "A,\tHLT\nFIELD 1\n*200\nB,\tCLA; C,\tHLT /A, B\nD,\n\nEND1234,\tHLT\nK=201\nFIELD 2\n*300\n\tHLT\n"
+    )
     listing = Listing.of(pal.assemble(f"*200\n{fields}LAST,\n$\n"))
     assert listing.symbols == {
         **{"A": 0o200, "B": 0o10200, "C": 0o10201, "D": 0o10202, "END123": 0o10202},
