@@ -392,6 +392,20 @@ export const cases = {
     type(0o303);
     return [[made.struck, moved, made.typed, made.page.paper.lines], [["print", "feed", "bell", "print", "print"], [[true, false], [false, true], [true, false], [true, false]], 1, ["C"]]];
   },
+  "in any window all of the panel can be scrolled out from behind the words": async () => {
+    const made = await taken();
+    const { place } = made, rooms = [];
+    for (const [wide, high, beside] of [[1366, 768, true], [2600, 1000, true], [390, 844, false], [340, 380, false], [600, 300, true]]) {
+      Object.assign(place, { clientWidth: wide, clientHeight: high });
+      place.querySelector(".when").getBoundingClientRect = () => ({ bottom: 40 });
+      place.querySelector(".told").getBoundingClientRect = () => (beside ? { left: 0.7 * wide, top: 0 } : { left: 0, top: 0.7 * high });
+      made.speak(new Element());
+      const { frame: { top, h } } = made, behind = beside ? 0 : 0.3 * high, all = parseFloat(place.querySelector("canvas").style.height);
+      rooms.push([top, all > high, Math.abs(all - Math.max(high, top + h + behind)) < 1]);
+    }
+    for (const name of [".when", ".told"]) delete place.querySelector(name).getBoundingClientRect;
+    return [rooms, [[40, false, true], [40, false, true], [40, false, true], [40, true, true], [40, true, true]]];
+  },
   "an act is the same wherever one comes from": async () => {
     const detours = {
       nothing,
