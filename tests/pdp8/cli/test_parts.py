@@ -4,6 +4,8 @@ import os
 import re
 import signal
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -20,7 +22,8 @@ from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed, keyboard, pacing, watching
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
-from pdp8.computer.past import state
+from pdp8.computer.past import rewind, state
+from pdp8.computer.past.history import History
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.prompt import Monitor
 from pdp8.replay.figures import COLUMNS
@@ -494,6 +497,37 @@ def test_a_run_leaves_ctrl_c_and_the_machine_as_they_were(tmp_path: Path) -> Non
             with watching.tracing(machine, name, Listing()):
                 assert machine.watch.observer is not None
             assert machine.watch.observer is None
+
+
+WITHIN: dict[str, Callable[[Machine, History], AbstractContextManager[object]]] = {
+    "ctrl_c": lambda machine, history: pacing.ctrl_c(),
+    "printing": lambda machine, history: keyboard.Terminal().printing(machine),
+    "counting": lambda machine, history: watching.counting(machine, Listing(), False, None),
+    "tracing": lambda machine, history: watching.tracing(machine, "-", Listing()),
+    "count": lambda machine, history: machine.count(),
+    "watched": lambda machine, history: shelf.watched(),
+    "going back": lambda machine, history: history.going_back(),
+    "looking back": lambda machine, history: rewind.looking_back(history),
+}
+
+
+@pytest.mark.parametrize("within", WITHIN)
+def test_an_error_within_leaves_all_as_it_was(within: str) -> None:
+    machine = Machine()
+    history = History(machine)
+
+    def changed(word: int) -> Iterator[tuple[int, int]]:
+        machine.core[0o300] = word
+        yield 0, 1 // 0
+
+    def now() -> list[object]:
+        parts = machine.watch, machine.watch.observer, machine.recorder, machine.teletype.printer.on_frame
+        return [*parts, machine.core[0o300], len(shelf._watches), signal.getsignal(signal.SIGINT)]
+
+    before = now()
+    with pytest.raises(ZeroDivisionError), click.Context(run.run), WITHIN[within](machine, history):
+        machine.load(changed(within.endswith("back")))
+    assert now() == before
 
 
 @pytest.mark.parametrize(
