@@ -19,6 +19,7 @@ from typing import Any
 import click
 import pytest
 
+from pdp8.cli.running import pacing
 from pdp8.cli.running.line import Line, Tcp, opened
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
@@ -160,12 +161,23 @@ WRITES = "*20\n\t240\n*200\n\tCLA\n\tTAD 20\n\t6766\n\t6771\n\tJMP .-1\n\tHLT\n*
 """Writes a word into block 0 of the reel on drive 0."""
 
 
-def test_a_reel_that_was_written_is_left_beside_its_file_or_in_the_state(call: Call, tmp_path: Path) -> None:
+def test_a_reel_that_was_written_is_left_beside_its_file_or_in_the_state(
+    call: Call, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also after a second Ctrl-C, which ends the process."""
     (tmp_path / "writes.pal").write_text(WRITES)
     reel.file(tmp_path / "a.tu56")
     for options, left in (("--save s", []), ("--save-dectape 0=b.tu56", []), ("", ["a-changed.tu56"])):
         status, _, said = call(f"pdp8 run writes.pal --dectape 0=a.tu56 {options}")
         assert (status, [path.name for path in tmp_path.glob("*-changed*")]) == (0, left), said
+
+    def interrupted(machine: Machine, *more: object) -> None:
+        machine.run()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(pacing, "run", interrupted)
+    assert call("pdp8 run writes.pal --dectape 0=a.tu56")[0] == 130
+    assert (tmp_path / "a-changed-2.tu56").exists()
 
 
 def test_switches_and_start_beside_a_restored_state(call: Call, tmp_path: Path) -> None:
