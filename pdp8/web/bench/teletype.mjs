@@ -20,7 +20,6 @@ export class Teletype {
     this.name = "";
     this.leverWaits = false;
     this.code = ASCII;
-    this.called = new WeakMap(); // name and code of a tape that was in a reader
     this.clear();
     find("paper").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
     find("typed").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
@@ -32,9 +31,7 @@ export class Teletype {
 
   show() {
     this.terminal = this.bench.afternoon.terminal;
-    const { printer, reader } = this.bench.machine.teletype;
-    this.#page(this.terminal?.frames ?? printer.frames);
-    if (reader.loaded) Object.assign(this, this.called.get(reader.tape)); // time may have gone back
+    this.#page(this.terminal?.frames ?? this.bench.machine.teletype.printer.frames);
     this.#tapes();
     this.#highspeed();
   }
@@ -45,7 +42,7 @@ export class Teletype {
   }
 
   set kept(kept) {
-    this.named(kept.name, named(kept.code), kept.leverWaits);
+    Object.assign(this, kept, { code: named(kept.code) });
   }
 
   /** Call the tape in the reader by its name; the lever of another machine waits no more. */
@@ -53,7 +50,6 @@ export class Teletype {
     this.name = name;
     this.leverWaits = waits;
     /** @type {Code} */ this.code = code ?? BLANK_TAPE;
-    this.called.set(this.bench.machine.teletype.reader.tape, { name, code: this.code });
   }
 
   /** Begin a fresh paper: what is on it comes from another place. */
@@ -150,12 +146,12 @@ export class Teletype {
    */
   mount(/** @type {string} */ name) {
     this.bench.touch(({ processor, teletype: { reader } }) => {
+      this.named(name, this.bench.shelf.get(name).code, this.leverWaits);
       if (reader.on && !processor.run) {
         reader.lever(false);
         this.leverWaits = true;
       }
       reader.load(this.#wound(name));
-      this.named(name, this.bench.shelf.get(name).code, this.leverWaits);
     });
   }
 

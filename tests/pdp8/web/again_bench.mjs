@@ -376,17 +376,6 @@ export const cases = {
     seen.push([reader.on, made.leverWaits, made.name]);
     return [seen, [[false, false, 2], [false, true], [true, false], [false, false], [true, false], [false, false, "b"]]];
   },
-  "a tape that comes back as time goes back has its name and its code": async () => {
-    const { bytes } = await import("./pdp8/web/translator/runtime.mjs");
-    const { Teletype } = await get("bench/teletype");
-    const codes = { a: { name: "one", caption: String }, b: { name: "two", caption: String } };
-    const bench = await desk({ afternoon: { on: false, terminal: null }, shelf: { get: (name) => ({ frames: bytes([0o301, 0o302]), code: codes[name] }) } });
-    find("paper").firstElementChild = new Element();
-    const made = new Teletype(bench), { reader } = bench.machine.teletype;
-    const tapes = ["a", "b"].map((name) => (made.mount(name), reader.tape));
-    const seen = [tapes[0], tapes[1], bytes([0o303])].map((tape) => ((reader.tape = tape), made.show(), [made.name, made.code.name]));
-    return [seen, [["a", "one"], ["b", "two"], ["b", "two"]]];
-  },
   "counts are of fetches, and of the turns of a loop that is passed over": async () => {
     const { Counts } = await get("bench/counts");
     const counts = new Counts();

@@ -28,7 +28,7 @@ window.stale = () => {
     slider: afternoon.on ? [at("slider").getAttribute("aria-valuetext"), `${text("#clock")}, ${afternoon.script.act.name}`] : [],
     card: [at("drill").ariaPressed, Boolean(card.coach)],
     counts: [at("counts").checked, watch.observer === editor.counts],
-    cut: [mill.drawing && at("at").value, mill.drawing && Math.max(0, mill.part)],
+    cut: [mill.drawing && Number(at("at").value).toFixed(9), mill.drawing && Math.max(0, mill.part).toFixed(9)],
     exercise: [at("exercise").value, exercises.name],
     lists: [all("#shelf option").slice(1).map((each) => each.value), shelf.names().filter((each) => !each.endsWith(".pal"))],
     programs: [all("#sources optgroup[label=Yours] option").map((each) => each.value), programs.names()],

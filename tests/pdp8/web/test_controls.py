@@ -163,7 +163,7 @@ CONTROLS = {
     "#kind": Control(of("#kind"), opened("debugger"), "w"),
     "#where": Control(of("#where"), opened("debugger"), "7"),
     "#until button": Control(f"{P}.clock", f"{LOADED} document.getElementById('where').value = '0203';"),
-    "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 7 Enter"),
+    "#registers input": Control(f"[{P}.pc, {P}.lac]", LOADED, "Control+a 1 Enter"),
     "#gutter button": Control(
         f"{MACHINE}.watch.breakpoints.length",
         f"{LOADED} {written('*200', *['7000'] * 90, '$')} {EDITOR}.load();",
