@@ -13,14 +13,9 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[bool, Path]:
     return walk.pages(tmp_path_factory.mktemp("walked"))
 
 
-_MORE = pytest.mark.slow("`make test` walks the desk")
-
-
 @needs_node
-@pytest.mark.parametrize(
-    "name",
-    [name if name.startswith("the desk") else pytest.param(name, marks=_MORE) for name in walk.walks()],
-)
+@pytest.mark.slow("18 s and more")
+@pytest.mark.parametrize("name", walk.walks())
 def test_a_walk(files: dict[bool, Path], name: str) -> None:
     """Where it should: look at `python -m tests.pdp8.web.walk` and what git says of walked.txt."""
     for step, wanted, seen in walk.walked(files[name.startswith(walk.CURVE)], name):
