@@ -16,7 +16,6 @@ from pdp8.computer.past.history import History, HistoryError
 from pdp8.computer.stop import Stop
 from pdp8.computer.watch import Watch
 from pdp8.dap import calls
-from pdp8.dap.calls import ARGUMENTS
 from tapes.errors import WorkError
 
 Look = Callable[[float], None]
@@ -40,7 +39,9 @@ class Goal(NamedTuple):
             word >> 8 == ISZ << 1 and refers_to(word, address) == self.entry
             for address, word in enumerate(core)
         )
-        places = [in_field(self.caller, back + offset) for offset in range(2 * ARGUMENTS if counts else 1)]
+        places = [
+            in_field(self.caller, back + offset) for offset in range(2 * calls.ARGUMENTS if counts else 1)
+        ]
         return set(places[: places.index(self.entry)] if self.entry in places else places)
 
     def reached(self, machine: Machine) -> bool:
