@@ -56,6 +56,11 @@ def jumps_to(target: int, word: int, location: int) -> bool:
     return word >> 8 == _JMP << 1 and refers_to(word, location) == target
 
 
+def changes_field(word: int) -> bool:
+    """Whether `word` is a CIF: the next JMP or JMS goes to the field that it names."""
+    return word & 0o7702 == 0o6202
+
+
 def tests_flag(word: int) -> bool:
     """Whether `word` is an IOT that sends a device only IOP1, such as KSF; not ION."""
     return word & 0o7007 == 0o6001 and word != 0o6001

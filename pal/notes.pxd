@@ -3,7 +3,7 @@
 cimport cython
 
 from pal.assembler cimport Written
-from pal.isa cimport halts, in_field, refers_to, tests_flag
+from pal.isa cimport changes_field, halts, in_field, refers_to, tests_flag
 
 cdef int CLA, DCA, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, REVERSED, _SKIPS
 

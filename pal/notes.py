@@ -28,6 +28,7 @@ from pal.isa import (
     SMA,
     SNL,
     SZA,
+    changes_field,
     halts,
     in_field,
     jumps_to,
@@ -290,7 +291,7 @@ def _changes_field(cells: dict[int, Written], address: int) -> bool:
     """Whether a CIF comes just before, so that a JMP or JMS goes to another field."""
     for before in (address - 1, address - 2, address - 3):
         cell = cells.get(before)
-        if cell is not None and cell.word & 0o7702 == 0o6202:
+        if cell is not None and changes_field(cell.word):
             return True
     return False
 

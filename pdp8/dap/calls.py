@@ -24,6 +24,7 @@ from pal.isa import (
     OPR,
     REVERSED,
     autoindexed,
+    changes_field,
     in_field,
     refers_to,
 )
@@ -88,7 +89,7 @@ def _target(core: Sequence[int], word: int, location: int) -> int | None:
             return None
         address = core[address]
     before = (core[place] for place in range(location - 1, max(location - 1 - _CIF, -1), -1))
-    field = next(((word & 0o70) << 9 for word in before if word & 0o7702 == 0o6202), location)
+    field = next(((word & 0o70) << 9 for word in before if changes_field(word)), location)
     return in_field(field if field < len(core) else location, address)
 
 
