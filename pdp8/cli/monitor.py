@@ -111,9 +111,13 @@ def sit_down(
     mounted: Reels | None,
     max_time: float | None,
     realtime: bool,
+    follow: Callable[[Machine], object],
     pass_on: Callable[[], object],
 ) -> Stop | None:
-    """Run with the terminal as the Teletype; return how the run stopped, None if Ctrl-] ended it."""
+    """Run with the terminal as the Teletype; return how the run stopped, None if Ctrl-] ended it.
+
+    Then `follow` is called with the machine that the monitor leaves: it may have restored another one.
+    """
     from pdp8.cli.running.keyboard import Terminal
 
     terminal = Terminal(pass_on)
@@ -128,7 +132,10 @@ def sit_down(
         made.reels = mounted
     made.say_stop(stop)
     made.say(f"{_BACK}; help tells what there is; quit leaves")
-    converse(made, terminal)
+    try:
+        converse(made, terminal)
+    finally:
+        follow(made.machine)
     return None
 
 

@@ -352,9 +352,9 @@ class _Run:
         options, machine = self.options, self.machine
         outputs = []
         if options.punch is not None or not self.paged:
-            outputs.append(Output(machine.teletype.punch, options.punch))
+            outputs.append(Output(machine, options.punch))
         if options.fast_punch is not None:
-            outputs.append(Output(machine.highspeed.punch, options.fast_punch))
+            outputs.append(Output(machine, options.fast_punch, fast=True))
         begun = False
         stop: _Ended = None
         with ExitStack() as stack:
@@ -370,7 +370,7 @@ class _Run:
                 from pdp8.cli.running.watching import counting
 
                 stack.enter_context(counting(machine, self.listing, options.count, options.annotate))
-            live = self._live(stack)
+            live = self._live(stack, outputs)
             begun, stop = True, _FAILED
             try:
                 if live is not None:
@@ -388,20 +388,28 @@ class _Run:
             raise self.failures.pop()
         return stop
 
-    def _live(self, stack: ExitStack) -> Callable[[Callable[[], object]], Stop | None] | None:
+    def _live(
+        self, stack: ExitStack, outputs: Sequence[Output]
+    ) -> Callable[[Callable[[], object]], Stop | None] | None:
         """Return the function that runs the machine with a user at its Teletype; None without a user."""
         options = self.options
         if options.keyboard:
             from pdp8.cli.monitor import sit_down
 
-            pace = options.max_time, options.realtime
-            return partial(sit_down, self.machine, self.listing, self.mounted, *pace)
+            pace, follow = (options.max_time, options.realtime), partial(self._follow, outputs)
+            return partial(sit_down, self.machine, self.listing, self.mounted, *pace, follow)
         if options.line is not None and sys.platform != "win32":  # as _check_options has it
             from pdp8.cli.running.line import opened
 
             line = opened(options.line, options.line_bits, options.line_speed == "full")
             return partial(stack.enter_context(closing(line)).run, self.machine, options.max_time)
         return None
+
+    def _follow(self, outputs: Sequence[Output], machine: Machine) -> None:
+        """Use `machine` from now on: who sat at the monitor left this one."""
+        self.machine = machine
+        for output in outputs:
+            output.settle(machine)
 
     @contextmanager
     def _noting(self) -> Iterator[None]:

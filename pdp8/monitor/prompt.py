@@ -63,8 +63,9 @@ class Monitor:
         """Use `machine` from now on."""
         self.machine = machine
         self.reels.look_at(machine.devices)
-        self.history = History(machine)
-        """What can be undone: all since then."""
+        recorded = machine.recorder
+        self.history = recorded if isinstance(recorded, History) else History(machine)
+        """What can be undone: all since then, or since the run that is left to the monitor began."""
         self.operator = Operator(machine, Pace(pressing=HANDS))
         self.expected = self.matched = 0
         """How many frames of the page `expect` passes over: those printed before the last command that ran a

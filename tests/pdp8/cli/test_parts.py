@@ -476,6 +476,37 @@ def test_the_way_back_into_the_program_is_said_once_who_left_it(
     assert [line for line in said if "goes back" in line] == shown
 
 
+@pytest.mark.parametrize(
+    ("lines", "frames"),
+    {
+        "quit": "0123456789",
+        "cont .5|quit": "0123456789:;<=>",
+        "back 3 characters|quit": "0123456",
+        "back 3 characters|deposit 205 7000|cont .5|quit": "012345677777",
+        "punch on|punch torn.tape|cont .5|quit": ":;<=>",
+        "save then.state|cont 1|restore then.state|cont .5|quit": "0123456789:;<=>",
+        "save then.state|punch torn.tape|cont .5|restore then.state|quit": "0123456789",
+        "cont .5|restore no.state|quit": "0123456789:;<=>",
+        "set cpu 8k|cont .5|quit": "0123456789:;<=>",
+    }.items(),
+)
+def test_the_files_of_a_run_are_those_of_the_machine_that_the_monitor_leaves(
+    lines: str, frames: str, call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path("count.pal").write_text(
+        "*200\nLOOP,\tTAD X\n\tTLS\n\tTSF\n\tJMP .-1\n\tCLA\n\tISZ X\n\tJMP LOOP\nX,\t60\n$\n"
+    )
+    terminal = Mock(wraps=keyboard.Terminal())
+    terminal.run = lambda machine, seconds, *_: (machine.run(seconds), True)
+    monkeypatch.setattr(keyboard, "Terminal", lambda *_: terminal)
+    monkeypatch.setattr(monitor, "_typed", lambda: iter(lines.split("|")))
+    monkeypatch.setattr(sys, "stdin", Mock(isatty=lambda: True))
+    asked = "pdp8 run count.pal --keyboard --punch out.tape --save end.state --max-time 1.05"
+    assert call(asked, terminal=True)[0] == 0
+    assert Path("out.tape").read_bytes() == frames.encode()
+    assert state.restore(Path("end.state").read_text()).teletype.punch.tape == frames.encode()
+
+
 def test_the_monitor_at_a_terminal_says_how_much_core_there_is(
     call: Call, monkeypatch: pytest.MonkeyPatch
 ) -> None:
