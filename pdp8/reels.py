@@ -24,15 +24,15 @@ _LONGEST = 8 << 20
 
 
 class Reel:
-    """A drive: what is on it, the file that came from, "" for none, and how much of it was changed."""
+    """A drive: what is on it, and how much of it was changed; `files` has the files that reels came from."""
 
     unit = "blocks"
     missing = "no tape is mounted; attach dtN FILE mounts one"
 
-    def __init__(self, number: int) -> None:
+    def __init__(self, number: int, files: dict[dectape.Image, str]) -> None:
         self.device = self.called = f"dt{number}"
         self.place = f"drive {number}"
-        self.file = ""
+        self._files = files
         self.drive = Transport()
         self.bootstrap = bootstrap.bootstrap(number)
         self._number = number
@@ -41,20 +41,24 @@ class Reel:
         """Use the drive of the DECtape control among `devices` from now on."""
         found = next((each for each in devices if isinstance(each, TC08)), None)
         self.drive = found.drives[self._number] if found else Transport()
-        self.file = (self.file or f"{self.device}.tu56") if self.drive.image else ""
+
+    @property
+    def file(self) -> str:
+        """The file that the reel on the drive came from, which `back` may have put there; "" for no reel."""
+        image = self.drive.image
+        return self._files.get(image, f"{self.device}.tu56") if image else ""
 
     def mount(self, name: str, locked: bool = False) -> list[str]:
         """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""
         with naming(name):
             image, notes = dectape.decode(shelf.read(name, _LONGEST))
         self.drive.mount(image, locked)
-        self.file = name
+        self._files[image] = name
         return notes
 
     def take_off(self) -> None:
         """Leave the drive empty."""
         self.drive.mount(None)
-        self.file = ""
 
     def changed(self) -> int:
         """Return how many blocks were written and not saved."""
@@ -64,6 +68,7 @@ class Reel:
         """Save the reel as it is now; return what to say of it. Raises WorkError."""
         reel = self.drive.written() or dectape.blank()
         said = shelf.told(name, shelf.write(name, reel.content()))
+        self._files[reel] = self.file
         self.drive.image, self.drive.blocks = reel, {}
         return said
 
@@ -129,7 +134,8 @@ class Reels:
     """The drives and the discs of a machine, by SIMH's names of their devices: dt0 to dt7 and df."""
 
     def __init__(self, devices: Sequence[Peripheral] = ()) -> None:
-        places: list[Reel | Discs] = [*map(Reel, UNITS), Discs()]
+        files: dict[dectape.Image, str] = {}
+        places: list[Reel | Discs] = [*(Reel(unit, files) for unit in UNITS), Discs()]
         self.places = {place.device: place for place in places}
         self.look_at(devices)
 

@@ -122,6 +122,37 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
     assert (reel.drive.read(5, 7), discs.control.words[9]) == (2, 2)
 
 
+@pytest.mark.parametrize(
+    "acts",
+    [
+        ("detach dt0 forget",),
+        ("detach dt0 saved.tu56",),
+        ("detach dt0 forget", "attach dt0 saved.tu56"),
+        ("detach dt0 forget", "attach dt1 reel.tu56"),
+        ("save then.state", "detach dt0 forget", "attach dt0 reel.tu56", "restore then.state"),
+    ],
+)
+def test_a_reel_that_is_on_its_drive_again_has_its_file_and_is_not_lost(
+    acts: tuple[str, ...], monitor: Monitor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "saved.tu56").write_bytes(WHOLE)
+    said: list[str] = []
+    monitor.say = said.append
+    for line in ("deposit 200 5200", "go 200 .01", "show devices"):
+        do(monitor, line)
+    assert said[-1] == f"dt0  {tmp_path / 'reel.tu56'}, 1 block written"
+    back = () if "restore" in acts[-1] else ("cont .01", "back .01 seconds")
+    for line in (*acts, *back, "show devices"):
+        do(monitor, line)
+    assert said[-1].replace(f"{tmp_path}/", "") == "dt0  reel.tu56, 1 block written"
+    rack.leave(monitor)
+    assert (
+        dectape.decode((tmp_path / "reel-changed.tu56").read_bytes())[0].words[5 * dectape.WORDS + 7]
+        == 0o1234
+    )
+
+
 @pytest.mark.parametrize(("full", "place"), [(0, "reel-changed.tu56"), (1, "tmp/reel-changed.tu56")])
 def test_what_nobody_saved_is_left_beside(monitor: Monitor, tmp_path: Path, full: int, place: str) -> None:
     (tmp_path / "tmp").mkdir()
