@@ -24,6 +24,7 @@ export class Drives {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     /** @type {string[]} */ this.names = [];
+    /** @type {string[]} */ this.saved = []; // what was written on each reel when it was saved
     put(find("reels"), UNITS.map((unit) => html`<div class="drive" role="group" aria-label="Drive ${unit}" hidden>
       <svg viewBox="0 0 40 20" aria-hidden="true">${[10, 30].map((x) => html`<g transform="translate(${x} 10)"><circle class="tape"/><path d="M-3.5 0h7M0-3.5v7" class="spokes"/></g>`)}</svg>
       <span class="name"></span>
@@ -49,12 +50,14 @@ export class Drives {
     const { bench } = this;
     if (!this.control) this.#fit();
     const { drives } = /** @type {TC08} */ (this.control);
-    const unit = UNITS.find((each) => !drives[each].image) ?? UNITS.length - 1;
+    const free = UNITS.find((each) => !drives[each].image), unit = free ?? UNITS.length - 1;
+    const before = free === undefined ? ` in place of ${this.names[unit]}` : "";
+    this.#rescue(unit);
     this.names[unit] = name;
     bench.touch(() => drives[unit].mount(image));
     bench.remember(); // no step back restores another reel
     find("drives").open = true;
-    bench.say(`${name} is on DECtape drive ${unit}; the machine has ${bench.machine.memory} words of core.${unit ? "" : " Press Boot drive 0"}`);
+    bench.say(`${name} is on DECtape drive ${unit}${before}; the machine has ${bench.machine.memory} words of core.${unit ? "" : " Press Boot drive 0"}`);
   }
 
   /** Put the machine that is there into one with 8K and a TC08. */
@@ -95,12 +98,26 @@ export class Drives {
     this.bench.touch(() => (this.#drive(value).locked = Number(checked)));
   }
 
-  save(/** @type {HTMLInputElement} */ { value }) {
-    const image = this.#drive(value).written();
+  save(/** @type {{value: string}} */ { value }) {
+    const drive = this.#drive(value), image = drive.written();
     if (image) this.bench.download(this.names[Number(value)], image.content());
+    this.saved[Number(value)] = `${[...drive.changed]}`;
+  }
+
+  /** Whether blocks were written on the reel of a drive that are in no file. */
+  unsaved(/** @type {number} */ unit) {
+    const drive = this.control?.drives[unit];
+    return Boolean(drive?.blocks.length && `${[...drive.changed]}` !== this.saved[unit]);
+  }
+
+  /** Save a reel that goes from its drive, as nobody else will. */
+  #rescue(/** @type {number} */ unit) {
+    if (this.unsaved(unit)) this.save({ value: String(unit) });
+    this.saved[unit] = "";
   }
 
   takeOff(/** @type {HTMLInputElement} */ { value }) {
+    this.#rescue(Number(value));
     this.bench.touch(() => this.#drive(value).mount(null));
     this.bench.remember();
   }

@@ -2,7 +2,7 @@
 //
 //     the page is left ──► {part: kept} ──► this tab's store, for its reload, and the browser's, for the next visit
 //
-// What the browser refuses to keep, it asks about before the page is left.
+// What the browser refuses to keep, it asks about before the page is left; also blocks of a reel that are in no file.
 
 import { keep, kept } from "./store.mjs";
 
@@ -16,9 +16,9 @@ export class Session {
     addEventListener("pagehide", () => this.keep());
     document.addEventListener("visibilitychange", () => document.hidden && this.keep());
     addEventListener("beforeunload", (event) => {
-      const { exercises: { answers, marks }, programs } = this.bench;
+      const { exercises: { answers, marks }, programs, drives } = this.bench;
       const refused = this.keep() || [programs, answers, marks].some((store) => store.refused);
-      if (refused) event.preventDefault();
+      if (refused || drives.units.some((_, unit) => drives.unsaved(unit))) event.preventDefault();
     });
   }
 

@@ -590,11 +590,26 @@ export const cases = {
     drives.save({ value: "0" });
     drives.takeOff({ value: "1" });
     seen.push(state(), got.length);
+    drives.show = nothing;
+    for (const name of ["a", "b"]) drives.mount(name, frames);
+    let word = 0;
+    const write = () => { drives.control.drives[1].write(3, 1, (word += 1)); };
+    const acts = [write, () => drives.mount("c", frames), write, () => drives.save({ value: "1" }), () => drives.takeOff({ value: "1" }),
+      () => drives.mount("d", frames), write, () => drives.save({ value: "1" }), write, () => drives.takeOff({ value: "1" }), () => drives.takeOff({ value: "0" })];
+    const left = acts.map((act) => {
+      got.length = 0;
+      act();
+      return [drives.unsaved(0), drives.unsaved(1), got[0] ?? ""];
+    });
+    const kept = [[false, true, ""], [false, false, "b"], [false, true, ""], [false, false, "c"], [false, false, ""],
+      [false, false, ""], [false, true, ""], [false, false, "d"], [false, true, ""], [false, false, "d"], [false, false, ""]];
+    seen.push(left, bench.said.filter((line) => line.includes("in place of")).map((line) => line.split(";")[0]));
     const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
     const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
     return [[seen, shown], [
       [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
-        ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2],
+        ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2,
+        kept, ["c is on DECtape drive 1 in place of b", "c is on DECtape drive 1 in place of b"]],
       [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],
         [`translate(10 10) rotate(${half})`, 6.96, `translate(30 10) rotate(${half})`, 6.96, `${all}block 1341, at rest`],
         ["translate(10 10) rotate(145800)", 4, "translate(30 10) rotate(64800)", 9, `${all}end zone, at rest`]]]];
