@@ -114,6 +114,7 @@ class Debuggee:
         if history.instructions == 0:
             raise HistoryError("nothing to undo: here the history begins")
         rewind.instructions(history, 1)
+        self.monitor.went_back()
         return Halt("step")
 
     def back_to(self, look: motion.Look) -> Halt:
@@ -124,7 +125,9 @@ class Debuggee:
         def stops() -> bool:
             return bool(points.stopped(machine))
 
-        if not motion.back_to(self.monitor.history, watched, stops, look):
+        stopped = motion.back_to(self.monitor.history, watched, stops, look)
+        self.monitor.went_back()
+        if not stopped:
             return Halt("entry", "here the history begins")
         code = [point for point in points.stopped(machine) if point.kind != DATA]
         return _at(code) if code else Halt(DATA)

@@ -31,10 +31,7 @@ def back(monitor: Monitor, *arguments: str) -> None:
         _until(monitor, *some(arguments[1:], _WHAT, 1, 2))
     else:
         _measured(monitor, *some(arguments, _WHAT, 0, 2))
-    frames = len(monitor.machine.teletype.printer.frames)
-    monitor.expected = min(monitor.expected, frames)
-    monitor.matched = min(monitor.matched, frames)
-    monitor.shown = min(monitor.shown, frames)
+    monitor.went_back()
     monitor.say_where("back")
 
 

@@ -53,8 +53,8 @@ class Monitor:
         """The names of files that were attached for what is punched."""
         self.once_running: list[Callable[[], object]] = []
         """What is done once the machine runs."""
-        self.waiting_tapes: list[str] = []
-        """The names of the tapes that go into the reader as it runs out."""
+        self._waiting: list[tuple[int, list[str]]] = [(0, [])]
+        """The tapes that wait, and since which tick."""
         self.reels = Reels()
         """The DECtapes on the drives, with the files they came from."""
         self.attend(machine or Machine())
@@ -73,6 +73,23 @@ class Monitor:
         """
         self.shown = 0
         """How many frames of it `page` has shown."""
+
+    @property
+    def waiting_tapes(self) -> list[str]:
+        """The names of the tapes that go into the reader as it runs out."""
+        return self._waiting[-1][1]
+
+    @waiting_tapes.setter
+    def waiting_tapes(self, names: list[str]) -> None:
+        self._waiting.append((self.machine.processor.clock, names))
+
+    def went_back(self) -> None:
+        """Follow the machine, of which something was undone: tapes that went in since then wait again."""
+        frames = len(self.machine.teletype.printer.frames)
+        self.expected, self.matched = min(self.expected, frames), min(self.matched, frames)
+        self.shown = min(self.shown, frames)
+        while self._waiting[-1][0] > self.machine.processor.clock:
+            self._waiting.pop()
 
     def turn_to(self, text: str) -> None:
         """Use the machine of state `text`; devices, reels, breakpoints and pace stay."""

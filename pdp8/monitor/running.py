@@ -189,9 +189,9 @@ def next_tape(monitor: Monitor) -> bool:
     """Put the next tape into the reader that has run out; return whether there is one."""
     if not monitor.waiting_tapes:
         return False
-    name = monitor.waiting_tapes[0]
+    name, *more = monitor.waiting_tapes
     monitor.operator.mount(name, shelf.read(name))
-    del monitor.waiting_tapes[0]
+    monitor.waiting_tapes = more
     monitor.say(f"{name} goes into the reader")
     return True
 

@@ -258,3 +258,23 @@ def test_commands_of_a_launch_find_the_switches_set_and_may_set_them(tmp_path: P
         given = {"program": str(source), "sr": "1234", "commands": commands}
         monitor, _ = Launch.of(given).ready(lambda line: None)
         assert monitor.machine.sr == sr
+
+
+def test_a_tape_that_went_in_waits_again_after_a_step_back(tmp_path: Path) -> None:
+    names = [str(tmp_path / name) for name in ("a", "b")]
+    for name in names:
+        Path(name).write_bytes(b"\x80")
+    debuggee = began("*200\n\tKSF\n\tJMP .-1\n\tKRB\n\tJMP 200\n$\n", tmp_path, reader=names)
+    monitor = debuggee.monitor
+    debuggee.run()
+    while debuggee.advance() is None:
+        pass
+    assert (monitor.waiting_tapes, debuggee.notes().count("goes into")) == ([], 1)
+    debuggee.back_to(lambda _: None)
+    assert monitor.waiting_tapes == names[1:]
+    debuggee.into()
+    monitor.waiting_tapes = ["c"]
+    debuggee.into()
+    for left in (["c"], names[1:]):
+        debuggee.back()
+        assert monitor.waiting_tapes == left

@@ -137,6 +137,18 @@ def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) ->
     assert monitor.waiting_tapes == []
 
 
+def test_tapes_that_went_in_wait_again_after_back(tmp_path: Path) -> None:
+    monitor = Monitor(lambda line: None, Machine())
+    names = [tmp_path / name for name in ("a", "b", "c")]
+    for name, frames in zip(names, (b"\x80\x81", b"\x82\x83", b"\x84\x85"), strict=True):
+        name.write_bytes(frames)
+    do(monitor, "deposit 200 6031 5200 6036 6046 5200", f"reader {' '.join(map(str, names))}", "go 200 3")
+    for count in (1, 2, 3, 4, 5):
+        do(monitor, f"back {count} characters", "cont 3")
+        assert monitor.machine.teletype.punch.tape == b"\x80\x81\x82\x83\x84\x85"
+        assert monitor.waiting_tapes == []
+
+
 def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: Path) -> None:
     """After `restore` and `set cpu` page and time are the other machine's; a device fitted leaves these."""
     said: list[str] = []

@@ -584,7 +584,7 @@ export const cases = {
     drives.show();
     seen.push(drives.units.map((row) => row.querySelector("input").checked));
     drives.save({ value: "1" });
-    seen.push(got, remembered);
+    seen.push([...got], remembered);
     drives.takeOff({ value: "0" });
     seen.push(state(), remembered);
     drives.save({ value: "0" });
