@@ -25,17 +25,3 @@ def test_part_program_to_eia_tape(shell: Shell, name: str, blocks: int, frames: 
     assert f"{blocks * 27:,} frames read, {frames:,} frames punched" in done.stderr.decode()
     assert_same_tape((SAMPLES / f"{name}.asc").read_bytes(), typed)
     assert_same_tape((SAMPLES / f"{name}.eia").read_bytes(), done.stdout)
-
-
-@pytest.mark.parametrize(
-    ("line", "given", "status", "said"),
-    [
-        ("eia.pal", "", 0, "no frames read"),
-        ("eia.pal", "0010190000000000002\n", 0, "no carriage returns: no block will end."),
-        ("- --max-time 0.5", "*200\nL,IAC\nJMP L\n$\n", 1, "still running"),
-        ("-", "*200\nJMP .\n$\n", 1, "an endless loop at 0200"),
-    ],
-)
-def test_how_a_run_ends_is_said(line: str, given: str, status: int, said: str, shell: Shell) -> None:
-    done = shell(f"pdp8 run {line}", given.encode())
-    assert (done.returncode, said in done.stderr.decode()) == (status, True), done.stderr

@@ -15,8 +15,6 @@ MARK = "\ufeff".encode()
 """Excel wants it in a file."""
 PAGES = ("workbench", "thesis page", "replay")
 """Of them the tests of the pages know more."""
-LEFT_OUT = ("workbench", "thesis page", "replay", "check --export-student")
-"""Pages, of which tests/pdp8/web knows more; what goes with no other option."""
 LEFT_OUT = ("--export-student", "--printer", "--line", "--facsimile")
 """Goes with no other; need a program that prints, a serial line; takes long."""
 

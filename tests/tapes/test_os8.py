@@ -17,7 +17,6 @@ BLOCK = 0o7
 FREE = 737 - BLOCK
 FULL = (BLOCK, 0, 0, 0, 0o0102, 0, 0, 0, -1, *(0, -1) * 123)
 """Entries to the last word of a segment, after their number."""
-SOURCE = "*200\n\tCLA CLL\n\tHLT\n$\n"
 
 
 def formatted(*segment: int, then: Sequence[int] = ()) -> dectape.Image:
@@ -172,18 +171,6 @@ def test_what_is_no_name_is_refused(name: str) -> None:
     with pytest.raises(TapeError, match="is no OS/8 name"):
         os8.insert(empty(), name, [0])
     assert os8.canonical("sixltr.p8") == "SIXLTR.P8"
-
-
-def test_a_file_goes_onto_an_image_and_comes_back_by_the_commands(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "os8.tu56").write_bytes(empty().content())
-    (tmp_path / "add.pa").write_text(SOURCE)
-    assert call("pdp8 tape insert os8.tu56 add.pa -o with.tu56")[0] == 0
-    assert "ADD.PA       1  0007" in call("pdp8 tape show with.tu56")[1]
-    assert call("pdp8 tape extract with.tu56 add.pa")[1] == SOURCE
-    status, _, said = call("pdp8 tape extract with.tu56 none.pa")
-    assert (status, "no file NONE.PA; the directory has ADD.PA" in said) == (1, True)
-    assert call("pdp8 tape insert with.tu56 add.pa -o again.tu56")[0] == 1
-    assert not (tmp_path / "again.tu56").exists()
 
 
 @pytest.mark.parametrize("name", ["a.pa", "A", "b.bn", "B.BN", "c.sv", "C.SV", "d.rl", "d.bns"])

@@ -1,15 +1,12 @@
 """Words spelled out as text: what courses and tools write, read by its form; nothing else is."""
 
-from pathlib import Path
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from pdp8 import shelf
 from pdp8.computer.use import program
-from tapes import binary, spelled
-from tests.conftest import Call
+from tapes import spelled
 
 WORDS = {0o200: 0o7300, 0o201: 0o1250, 0o202: 0o7402, 0o250: 2}
 EP = "EP, entry point and hexadecimal words"
@@ -76,34 +73,3 @@ def test_nothing_else_is(name: str) -> None:
 )
 def test_nor_is_a_source_or_a_table(text: str) -> None:
     assert spelled.found(text.encode()) is None
-
-
-def test_both_ways_by_the_command_and_in_every_command(call: Call) -> None:
-    for name in spelled.FORMATS:
-        assert call(f"pdp8 tape convert eia.bin --to {name} -o x.txt")[0] == 0
-        assert call("pdp8 tape convert x.txt --to bin -o y.bin")[0] == 0
-        words = {at: word for at, word in shelf.program("y.bin").words.items() if word}
-        assert words == {at: word for at, word in shelf.program("eia.bin").words.items() if word}
-    Path("x.mem").write_text("@080 ec0 f02\n")
-    assert call("pdp8 run x.mem")[2].splitlines()[0] == "pdp8 run: x.mem: read as Verilog's $readmemh"
-    assert "CLA CLL" in call("pdp8 dis x.mem")[1]
-    assert "x.mem: read as Verilog's $readmemh" in call("pdp8 monitor -", b"load x.mem\n")[1]
-    assert call("pdp8 run x.mem --boot")[0] == 0
-
-
-def test_a_saved_state_becomes_a_tape(call: Call) -> None:
-    call("pdp8 run eia.pal --reader circle.asc --max-time 1 --save x.state --punch x.eia")
-    assert call("pdp8 tape convert x.state --to bin -o x.bin")[0] == 0
-    words = shelf.program("eia.pal").words
-    found = shelf.program("x.bin").words
-    assert sum(found.get(at) == word for at, word in words.items()) > 120
-
-
-def test_a_damaged_tape_by_force(call: Call) -> None:
-    tape = bytearray(binary.encode(WORDS))
-    tape[67] ^= 1
-    Path("x.bin").write_bytes(tape)
-    for command in ("dis x.bin", "tape convert x.bin --to octal-words"):
-        assert call(f"pdp8 {command}")[0] == 1
-        status, shown, _ = call(f"pdp8 {command} --force")
-        assert (status, "7301" in shown) == (0, True)

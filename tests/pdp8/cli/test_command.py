@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 from errno import ENOENT, ENOSPC, EPIPE
 from functools import partial
 from io import BytesIO, TextIOWrapper
-from pathlib import Path
 from unicodedata import category
 
 import click
@@ -156,14 +155,6 @@ def test_a_conversation_has_the_standard_streams_for_itself(
         writer.write(f"{sys.stdin.read()}answer".encode())
         print("noise")
     assert capfd.readouterr() == ("answer", "noise\n")
-
-
-def test_up_to_six_files_in_a_folder_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    with click.Context(click.Command("own")):
-        command.put_all(str(tmp_path / "a"), [(name, b"") for name in "abcdef"])
-        command.put_all(str(tmp_path / "a"), [(name, b"") for name in "abcdefg"])
-    said = f"wrote a, b, c, d, e, f in {tmp_path}/a\nwrote 7 files in {tmp_path}/a; 6 replaced\n"
-    assert capsys.readouterr() == ("", said)
 
 
 def test_control_codes_are_shown_as_pictures_or_escapes() -> None:

@@ -61,27 +61,6 @@ def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: 
     ]
 
 
-@pytest.mark.parametrize(
-    "line",
-    [
-        "pal eia.pal -o x.bin",
-        "pal eia.pal --json x.json",
-        "pdp8 run hello.pal --punch x.tape",
-        "pdp8 run hello.pal --save x.state",
-        "pdp8 run hello.pal --trace x.trace",
-        "pdp8 check add add.pal --json x.json",
-        "pdp8 nc export circle.eia --gcode -o x.ngc",
-    ],
-)
-def test_what_is_written_and_what_is_replaced_is_said(line: str, call: Call, tmp_path: Path) -> None:
-    name = line.rsplit(maxsplit=1)[-1]
-    (tmp_path / "add.pal").write_text(RIGHT)
-    for said in (f"wrote {name}\n", f"replaced {name}\n"):
-        assert said in call(line)[2]
-    assert not name.endswith("json") or json.loads((tmp_path / name).read_text())
-    assert "run" not in line or "replaced" not in call(f"{line} --quiet")[2]
-
-
 def test_what_is_written_into_a_folder_or_a_device_is_said(call: Call) -> None:
     os.mkfifo("device")
     reader = os.open("device", os.O_RDWR | os.O_NONBLOCK)
@@ -270,37 +249,6 @@ def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) 
     status, _, said = call("pdp8 replay drill --html again/drill.eia --out again")
     assert (status, "is the name of another file of the replay" in said) == (2, True)
     assert not (tmp_path / "again").exists()
-
-
-FULL = [
-    ("--punch /dev/full --trace t --save s", "/dev/full: No space left on device after 0 frames", "t s"),
-    (
-        "--punch p --trace /dev/full --save s",
-        "/dev/full: No space left on device; no trace was written",
-        "p s",
-    ),
-    ("--punch p --annotate /dev/full --save s", "/dev/full: No space left on device", "p s"),
-    ("--punch p --trace t --save /dev/full", "/dev/full: No space left on device", "p t"),
-    ("--fast-punch /dev/full --punch p --quiet", "", "p"),
-]
-
-
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")
-@pytest.mark.parametrize(("options", "failure", "written"), FULL)
-def test_a_run_says_why_it_stopped_and_writes_the_rest_if_an_output_fails(
-    options: str, failure: str, written: str, call: Call, tmp_path: Path
-) -> None:
-    status, _, said = call(f"pdp8 run hello.pal {options}")
-    lines = said.splitlines()
-    if not failure:  # nothing goes to the high-speed punch
-        assert (status, lines) == (0, [])
-        return
-    assert status == 1
-    assert f"pdp8 run: {failure}" in lines
-    assert {line.removeprefix("wrote ") for line in lines if line.startswith("wrote ")} == {*written.split()}
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(written.split())
-    assert lines[-1].startswith(("pdp8 run: HLT at ", "pdp8 run: stopped at "))
-    assert lines[-1].endswith(" in 1971")
 
 
 ALIASES = [

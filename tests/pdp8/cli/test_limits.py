@@ -17,6 +17,7 @@ run --max-time | 0 1e9 | -0.1 1.1e9 nan soon
 check --cpu | 0.1 3600 | 0.09 3600.1 nan
 check --seed | 0 -1 | 1.5 x
 tape clean --mend, tape convert --mend, tape cut --mend | 0=0 0=377 7=1,8=2 | 0=400 -1=0 0=-1 0=8 0 =1
+tape cut --mend | 0=377,12=0, | x 1=2=3
 tape convert --fill, tape punch --fill | 0 1000 | -1 1001
 tape punch --leader | 0 100000 | -1 100001
 tape cut --from, tape cut --to, tape show --from, tape show --to | 0 | -1

@@ -142,15 +142,6 @@ def halves(tmp_path: Path) -> None:
     (tmp_path / "b.asc").write_bytes(LINE[11:])
 
 
-@pytest.mark.usefixtures("halves")
-def test_several_tapes_one_after_another(shell: Shell, call: Call) -> None:
-    done = shell("pdp8 run eia.pal --reader a.asc --reader b.asc")
-    assert_same_tape(done.stdout, WHOLE)
-    assert b"b.asc goes into the reader after 11 frames" in done.stderr
-    assert b"21 frames read, 21 frames punched" in done.stderr
-    assert call("pdp8 run eia.pal --reader a.asc --reader b.asc --punch x --quiet") == (0, "", "")
-
-
 def test_channel_8_is_explained_where_frames_go_down_a_pipe(shell: Shell, tmp_path: Path) -> None:
     (tmp_path / "plain.pal").write_text("*200\n\tLAS\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n$\n")
     done = shell("pdp8 run hello.pal; pdp8 run hello.pal --punch x; pdp8 run plain.pal --sr 101")

@@ -158,15 +158,6 @@ def test_all_of_a_tape_goes_into_core(name: str, way: str, call: Call) -> None:
             assert step in said.splitlines()
 
 
-@pytest.mark.parametrize("command", ["dis", "tape convert --to rim"])
-def test_what_is_left_out_of_a_tape_is_said(command: str, call: Call, tmp_path: Path) -> None:
-    tape, _, noted = TAPES["apart"]
-    (tmp_path / "x.bin").write_bytes(tape)
-    label = f"a label of {len(SECTIONS) + 5} frames from frame {len(SECTIONS) + 1} on, left out"
-    for said, expected in zip(call(f"pdp8 {command} x.bin")[2].splitlines(), (label, noted), strict=True):
-        assert said.endswith(f": x.bin: {expected}")
-
-
 @pytest.mark.parametrize("way", ["run", "run --boot", "load", "boot"])
 def test_a_damaged_tape_stops_it_unless_forced(way: str, call: Call) -> None:
     status, said = loaded(call, BAD, way)

@@ -1,7 +1,6 @@
 """What commands are made of, piece by piece: both sides of each limit, and when a note is written."""
 
 import os
-import re
 import signal
 import sys
 from collections.abc import Callable, Iterator
@@ -16,18 +15,17 @@ import pytest
 
 from pal.assembly import MOST
 from pdp8 import cli, shelf
-from pdp8.cli import assemble, check, monitor, nc, nc_options, replay, root, run, tape, thesis
+from pdp8.cli import assemble, check, monitor, nc, nc_options, replay, root, run, thesis
 from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed, keyboard, pacing, watching
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
-from pdp8.computer.past import rewind, state
+from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.prompt import Monitor
 from pdp8.replay.figures import COLUMNS
-from tapes import binary
 from tapes.errors import WorkError
 from tests.conftest import Call
 from tests.pdp8.cli.test_files import completed
@@ -295,28 +293,6 @@ def test_so_many_diagnostics_are_written(number: int, line: str, more: str, call
     assert more in said
 
 
-def test_cards_are_named(call: Call) -> None:
-    status, _, said = call("pdp8 cards")
-    assert status == 2
-    assert re.search(r"Give a card's name: \w.*, afternoon, or all\.", said)
-    assert call("pdp8 cards rim --out of") == (0, "", "wrote rim.svg in of\n")
-
-
-def test_frames_are_mended_within_the_tape() -> None:
-    def read(text: str) -> dict[int, int]:
-        return tape._frames_and_values(None, None, text)  # type: ignore[arg-type]
-
-    assert read("") == {}
-    assert read("0=377,12=0,") == {0: 0o377, 12: 0}
-    for wrong in ("x", "0=400", "-1=0", "0", "0=8", "1=2=3", "=1", "0=-1"):
-        with pytest.raises(click.BadParameter, match="is not FRAME=OCTAL"):
-            read(f"0=1,{wrong}")
-    assert tape._mended(b"ab", {1: 5}) == b"a\x05"
-    with pytest.raises(click.UsageError) as raised:
-        tape._mended(b"ab", {2: 5})
-    assert raised.value.message == "--mend 2: the last frame is 1"
-
-
 def test_seconds_of_this_computer_are_between_two_limits() -> None:
     assert [parameters.processor_seconds(text) for text in ("0.1", "3600", "5")] == [0.1, 3600.0, 5.0]
     for text in ("0.0999", "3600.1", "nan", "-1"):
@@ -324,60 +300,6 @@ def test_seconds_of_this_computer_are_between_two_limits() -> None:
             parameters.processor_seconds(text)
     with pytest.raises(click.BadParameter, match="'x' is not a number of seconds"):
         parameters.processor_seconds("x")
-
-
-def test_gradescope_takes_one_answer(call: Call, tmp_path: Path) -> None:
-    for name in "ab":
-        (tmp_path / f"{name}.pal").write_text("*200\n\tHLT\n$\n")
-    status, _, said = call("pdp8 check add a.pal b.pal --gradescope out.json")
-    assert status == 2
-    assert "--gradescope is for one ANSWER, not 2." in said
-    assert call("pdp8 check add a.pal --gradescope out.json")[0] < 2
-    assert (tmp_path / "out.json").exists()
-
-
-def test_a_start_where_no_word_is_is_said(call: Call, tmp_path: Path) -> None:
-    assert call("pal - -o a.bin", b"*200\n\tCLA\n\tHLT\n$\n")[0] == 0
-    said = call("pdp8 run a.bin --start 300 --max-time 1")[2]
-    assert "no word at 0300, where it is started; it has 0200" in said
-    assert "and --start says where to begin" in said
-    for line in ("pdp8 run a.bin", "pdp8 run a.bin --start 201", "pdp8 run a.bin --start 300 --quiet"):
-        assert "no word at" not in call(f"{line} --max-time 1")[2]
-
-
-def test_the_nominal_curve_beside_a_tape_replaces_no_other_file(call: Call, tmp_path: Path) -> None:
-    first = call("pdp8 part circle -o c.asc")[2]
-    [name] = [each.name for each in tmp_path.iterdir() if each.name != "c.asc"]
-    assert f"wrote {name}" in first
-    again = call("pdp8 part circle -o c.asc")[2]
-    assert "is kept" not in again
-    (tmp_path / "c.asc").unlink()
-    kept = call("pdp8 part circle -o c.asc --no-clobber")
-    assert kept[0] == 0
-    assert f"{name} is there already, and is kept for --no-clobber" in kept[2]
-    (tmp_path / name).write_text("mine")
-    other = call("pdp8 part circle -o c.asc")
-    assert other[0] == 0
-    assert f"{name} is there, and is no nominal curve: it is kept" in other[2]
-    assert (tmp_path / name).read_text() == "mine"
-
-
-def test_a_tolerance_needs_a_curve_that_is_known(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "x.eia").write_bytes(shelf.read_bundled("ellipse.eia"))
-    status, _, said = call("pdp8 nc inspect x.eia --tolerance .005")
-    assert status == 2
-    assert "--tolerance needs the nominal curve, and none is known of x.eia: name it by --circle" in said
-    assert "Its path follows this: " in said
-    assert "needs the nominal curve" not in call("pdp8 nc inspect x.eia")[2]
-
-
-def test_what_is_no_program_is_not_disassembled(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "a.dsk").write_bytes(bytes(2 * 129 * 1474))
-    status, _, said = call("pdp8 dis a.dsk")
-    assert status == 1
-    assert ", not a tape in BIN or RIM" in said
-    assert "a tape in EIA, not in BIN or RIM" in call("pdp8 dis circle.eia")[2]
-    assert call("pdp8 dis eia.bin")[0] == 0
 
 
 def test_numbers_are_as_many_as_are_asked_for_and_lengths_in_their_unit() -> None:
@@ -400,15 +322,6 @@ def test_numbers_are_as_many_as_are_asked_for_and_lengths_in_their_unit() -> Non
                 at.callback(ctx, at, wrong)
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no device that is always full")
-def test_a_run_whose_output_fails_is_a_failure(call: Call) -> None:
-    status, _, said = call("pdp8 run eia.pal --reader circle.asc --punch /dev/full")
-    assert status == 1
-    assert "/dev/full: No space left on device" in said
-    assert ", as an output or a tape failed" in said
-    assert call("pdp8 run eia.pal --reader circle.asc --punch /dev/null")[0] == 0
-
-
 @pytest.mark.parametrize(("name", "doubt"), [("circle.eia", "is an EIA tape: "), ("circle.asc", "")])
 def test_a_tape_that_its_owner_may_not_expect(
     name: str, doubt: str, capsys: pytest.CaptureFixture[str]
@@ -419,27 +332,6 @@ def test_a_tape_that_its_owner_may_not_expect(
         said = capsys.readouterr().err
         assert said.startswith(f"pal: {name} {doubt}") == bool(doubt and not quiet)
         assert bool(said) == bool(doubt and not quiet)
-
-
-def test_a_saved_state_is_a_tape_of_its_core(capsys: pytest.CaptureFixture[str]) -> None:
-    machine = Machine()
-    machine.load({0o200: 0o7402, 0o7777: 1})
-    content = state.save(machine)
-    with click.Context(pal, info_name="pal"):
-        frames = tape._core_of_state("a.state", content.encode() if isinstance(content, str) else content)
-    assert binary.decode(frames).words == {0o200: 0o7402, 0o7777: 1}
-    assert capsys.readouterr().err == (
-        "pal: a.state: a saved state, of whose core all words but 0000 are taken\n"
-    )
-
-
-def test_a_doubtful_frame_is_cleaned_only_where_it_is_accepted(call: Call, tmp_path: Path) -> None:
-    good = shelf.read_bundled("circle.eia")
-    (tmp_path / "bad.eia").write_bytes(good[:200] + bytes([good[200] ^ 0o100]) + good[201:])
-    (tmp_path / "good.eia").write_bytes(good)
-    assert call("pdp8 tape clean good.eia -o a.eia")[0] == 0
-    assert call("pdp8 tape clean bad.eia -o b.eia")[0] == 1
-    assert not (tmp_path / "b.eia").exists()
 
 
 def test_the_page_of_a_replay_replaces_no_other_file_of_it(
@@ -579,12 +471,3 @@ def test_who_sits_at_a_terminal_hears_of_options_that_give_the_program_a_tape(
     _, _, said = call(f"pdp8 run {line}", terminal=True)
     assert "the reader ran out of tape" in said
     assert ("; --keyboard types at the Teletype" in said) == advised
-
-
-def test_an_unexpected_error_is_raised_with_its_traceback() -> None:
-    @click.command()
-    def broken() -> None:
-        raise LookupError("unexpected")
-
-    with pytest.raises(LookupError, match="unexpected"):
-        command.status(broken, "broken", [])

@@ -21,7 +21,6 @@ FILES = {
     **{
         "empty": b"",
         "locked": b"",
-        "rim.svg": b"<svg",
         "blank": bytes(1),
         "even": b"\n",
         "line": b"A",
@@ -53,11 +52,8 @@ pdp8 run hello.pal --punch a.bin --trace /nowhere/x -> : /nowhere/x: No such fil
 pdp8 run hello.pal --punch a.bin --save /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch a.bin --fast-punch /nowhere/x -> : /nowhere/x: No such file or directory
 pdp8 run hello.pal --punch locked -> : locked: Permission denied
-pdp8 pal eia.pal -o line --no-clobber -> : line exists
 pdp8 pal eia.pal -o locked -> : locked: Permission denied
-pdp8 tape clean circle.eia -o line --no-clobber -> : line exists
 pdp8 tape clean circle.eia -o locked -> : locked: Permission denied
-pdp8 cards rim --no-clobber -> : ./rim.svg exists
 pdp8 run /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 tape info /dev/zero -> : /dev/zero: longer than 2,097,152
 pdp8 pal -o x /dev/zero -> : /dev/zero: longer than 2,097,152
@@ -68,7 +64,6 @@ pdp8 run '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run eia.pal --reader '\udcff\x1b[31m.pal' -> : \\udcff␛[31m.pal: no such file
 pdp8 run empty --boot -> : empty: the program tape is empty
 pdp8 check own.toml ana.pal --csv in.csv -> : in.csv was read: it is not replaced
-pdp8 replay drill --out line -> : line: File exists
 pdp8 cards rim -o line/sub -> : line/sub: Not a directory
 pdp8 check add ana.html --pages . -> : ./ana.html was read: it is not replaced
 """
@@ -77,13 +72,8 @@ MISUSE = """\
 pdp8 tape show --to -1 -> '--to': -1 is not in the range x>=0.
 pdp8 tape show --to 1 --from 2 -> --to 1 lies before --from 2
 pdp8 tape show --code x -> '--code': 'x' is not one of 'auto', 'bin', 'rim', 'ascii', 'eia',
-pdp8 tape punch --fill 1001 -> '--fill': 1001 is not in the range 0<=x<=1000.
-pdp8 tape punch --leader 100001 -> '--leader': 100001 is not in the range 0<=x<=100000.
 pdp8 tape hang -> there is no command 'hang'
 pdp8 monitr -> there is no command 'monitr'; did you mean monitor?
-pdp8 part circel -> there is no command 'circel'; did you mean circle?
-pdp8 check add x.pal --cpu nan -> not between 0.1 and 3600 seconds
-pdp8 check --list add -> --list is used alone: leave out EXERCISE
 pdp8 check add --prove a.pal --json x -> is used with EXERCISE and --seed only: leave out ANSWER and --json
 pdp8 run hello.pal --force -> --force means nothing for hello.pal: it is no tape that may be damaged.
 pdp8 run hello.pal --nonsense -> No such option
@@ -94,7 +84,6 @@ pdp8 run a.bin --punch hard.bin -> a.bin is the source; name another file
 pdp8 run eia.pal --reader a.bin --fast-punch soft.bin -> a.bin is the source; name another file
 pdp8 pal a.bin -o soft.bin -> a.bin is the source; name another file
 pal ana.pass1 --tty . -> ana.pass1 is the source; name another file
-pdp8 check add ana.pal --json - --junit - -> two outputs go to standard output
 pdp8 check add --junit ana.pal ben.pal -> ana.pal is there, and is no XML
 pdp8 check add --json ana.pal ben.pal -> ana.pal is there, and is no JSON
 pdp8 check add --export-student ana.pal -> ana.pal is there, and is no JSON
