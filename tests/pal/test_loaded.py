@@ -1,57 +1,21 @@
-"""`Assembly.words` is what DEC's BIN loader leaves in core: RIM toggled, BIN read, then our tape.
+"""`Assembly.words` is what DEC's BIN loader leaves in core of our tape.
 
 SOURCES=8000 pytest -k loaded tests/pal     tries 2,000 sources, right and wrong, in both dialects
 """
 
-from copy import copy
-from functools import cache
-
 import pal
 from pal import punch
-from pdp8 import Machine, shelf
-from pdp8.computer.stop import Reason
-from tapes import rim
 from tests.conftest import case
 from tests.pal.random_pal8 import PAL8, SEEDS, faulty, written
-
-FREE = range(0o7600)
-"""Where no loader is: a tape with a word elsewhere overwrites what reads it (PN57)."""
-
-
-def read(machine: Machine, start: int, frames: bytes) -> Reason:
-    machine.sr = 0o7777
-    machine.teletype.reader.lever(False)
-    machine.teletype.reader.load(frames)
-    machine.start(start)
-    machine.run(instructions=8)  # KCC, before the lever is thrown
-    machine.teletype.reader.lever(True)
-    return machine.run(seconds=1e6).reason
-
-
-@cache
-def with_bin() -> Machine:
-    """Return a machine with BIN, which a RIM loader read that was toggled in."""
-    machine = Machine()
-    machine.load(shelf.bundled_program("rim.pal").words)
-    read(machine, 0o7756, rim.encode(shelf.bundled_program("bin.pal").words))
-    machine.stop()
-    return machine
-
-
-def loaded(frames: bytes) -> tuple[bool, dict[int, int]]:
-    """Return whether BIN halts with a good checksum, and the words it leaves in core."""
-    machine = copy(with_bin())
-    reason = read(machine, 0o7777, frames)
-    good = reason is Reason.HALT and machine.ac == 0
-    return good, {address: machine.core[address] for address in FREE if machine.core[address]}
+from tests.pdp8.computer.use.test_loaders import FREE, loaded
 
 
 def compare(source: str, dialect: str) -> bool:
     """Compare core with the assembly's words; return whether there were words in core to compare."""
     assembly = pal.assemble(source, dialect=dialect)
-    if not assembly.tape or any(address & 0o7777 not in FREE for address in assembly.words):
+    if not assembly.tape or any(address & 0o7777 not in FREE for address in assembly.words):  # PN57
         return False
-    good, core = loaded(assembly.tape.lstrip(b"\0"))  # an operator sets the tape on its leader
+    core, good = loaded("bin", assembly.tape.lstrip(b"\0"))  # an operator sets the tape on its leader
     no_loader = any(found.code == "PS02" for found in assembly.diagnostics)
     assert good or no_loader
     found: dict[int, set[int]] = {}
