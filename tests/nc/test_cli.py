@@ -65,16 +65,6 @@ def test_a_peck_is_a_tenth_of_an_inch_if_nothing_is_said(shell: Shell) -> None:
     assert pecks == [2, 6]
 
 
-def test_drawings_go_where_they_are_told(shell: Shell) -> None:
-    done = shell("pdp8 nc inspect circle.eia --talyrond a.svg --talysurf b.svg; head -c4 a.svg b.svg")
-    assert done.stderr.decode() == "wrote a.svg\nwrote b.svg\n"
-    assert done.stdout.decode().count("<svg") == 2
-    done = shell("pdp8 nc inspect circle.eia --talyrond -")
-    assert done.stdout.startswith(b"<svg")
-    assert done.stdout.rstrip().endswith(b"</svg>")
-    assert b"worst trough to peak" in done.stderr
-
-
 OF_EXPORT = "--peck .1|--safe .3|--tap .05|--tool-change|--as-1971|--depth|--circle 4,4,1.75|--line 1,1,2,2"
 OF_EXPORT += (
     "|--ellipse 4,4,2,1|--function x --range 0,1|--profile 1+0*x|--shift 1,1|--cutter .25|--feed-code 2"
@@ -127,42 +117,6 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
         ("--as-1971", gcode_1971(cut(holes))),
     ):
         assert product(shell, f"pdp8 nc export --gcode {options}", holes).splitlines() == [*lines]
-
-
-PARITY = CIRCLE[:700] + b"\xa0" + CIRCLE[701:]
-"""The circle with a hole more in an end of block, which the machine of 1971 does not feel."""
-ROW_1 = "block 1, row 1: the block ends in row 1; a block has 20 rows; the tape seems to be"
-
-
-@pytest.mark.parametrize(
-    ("line", "stdin", "says"),
-    [
-        ("list", b"", "standard input: no row is punched: the tape is empty or blank"),
-        ("plot", CIRCLE[:-7], "standard input: frame 13313: block 666, row 13: the tape ends after 13 rows"),
-        ("list --strict", PARITY, "standard input: frame 700: block 34, row 20: wrong parity: 240 has 2 "),
-        (
-            "list -",
-            "\n".join(FOUR_HOLES).encode(),
-            "standard input: frame 19: block 1, row 20: no end of block in row 20, but the digit 0; the tape "
-            "seems to be ASCII, and the machine reads EIA; `pdp8 tape punch --code eia` punches typed blocks",
-        ),
-        ("list circle.asc", b"", f"circle.asc: frame 0: {ROW_1} ASCII, and the machine reads EIA; `pdp8 run"),
-        ("list eia.bin", b"", f"eia.bin: frame 1: {ROW_1} BIN, and the machine reads EIA"),
-        ("plot circle.eia --block 667", b"", "block 667: the tape has blocks 1 to 666"),
-        (
-            "inspect circle.eia --circle 15,5,1",
-            b"",
-            "the cutter did not reach the curve: circle, centre X 15",
-        ),
-        ("inspect", tape(*FOUR_HOLES), "no block of this tape mills: there is no surface to inspect"),
-        ("list circle.eia > /dev/full", b"", "standard output: No space left on device"),
-    ],
-)
-def test_a_failed_job_says_one_line(shell: Shell, line: str, stdin: bytes, says: str) -> None:
-    done = shell(f"pdp8 nc {line}", stdin)
-    (said,) = done.stderr.decode().splitlines()
-    assert done.returncode == 1
-    assert said.startswith(f"pdp8 nc {line.split(maxsplit=1)[0]}: {says}")
 
 
 def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:

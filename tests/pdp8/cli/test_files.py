@@ -241,14 +241,11 @@ def test_a_signal_leaves_no_file_half_written(number: int, left: set[str], tmp_p
 
 
 @pytest.mark.slow("the afternoon, whole")
-def test_page_and_table_share_no_stream_and_no_name(call: Call, tmp_path: Path) -> None:
+def test_page_and_table_share_no_stream(call: Call) -> None:
     _, shown, said = call("pdp8 replay drill --html - --out desk")
     assert shown.startswith("<!DOCTYPE html>")
     assert "thesis beside replay" not in shown
     assert "thesis beside replay" in said
-    status, _, said = call("pdp8 replay drill --html again/drill.eia --out again")
-    assert (status, "is the name of another file of the replay" in said) == (2, True)
-    assert not (tmp_path / "again").exists()
 
 
 ALIASES = [

@@ -12,7 +12,6 @@ from pdp8.replay.fortran import Own, Session, source
 from programs.parts import PARTS
 from tapes import dectape
 from tapes.errors import WorkError
-from tests.conftest import Call
 from tests.pdp8.cli.test_console import PROMPT
 
 
@@ -27,13 +26,6 @@ def test_the_three_changes_of_the_listing() -> None:
     assert "30    FORMAT(F4.0,F2.0,F6.0,F6.0,F4.0,F3.0)" in lines
     assert lines[-2:] == ["105   STOP", "      END"]
     assert all(line[:5].strip().isdigit() or line[:6] == " " * 6 for line in lines)
-
-
-def test_a_tape_that_does_not_boot_is_named() -> None:
-    day = Own("circle", dectape.blank(), lambda act: None)
-    with pytest.raises(WorkError, match=r"PS/8 on the DECtape is expected to type '\.'"):
-        for _ in day.through():
-            pass
 
 
 def test_a_session_waits_for_the_prompt_that_a_program_types() -> None:
@@ -56,12 +48,6 @@ def test_a_session_waits_for_the_prompt_that_a_program_types() -> None:
     assert [next(slices), next(slices)] == [None, None]
     with pytest.raises(WorkError, match="limit after"):
         next(slices)
-
-
-def test_only_a_listing_of_the_thesis_goes_to_fortran(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "reel.tu56").write_bytes(dectape.blank().content())
-    status, _, said = call("pdp8 replay drill --fortran reel.tu56")
-    assert (status, "--fortran: the thesis lists circle and ellipse; drill is ours." in said) == (2, True)
 
 
 @pytest.mark.slow("40 minutes of 1971, two minutes here")
