@@ -359,23 +359,6 @@ def test_a_students_form_of_a_sheet_says_what_is_given() -> None:
     assert all(said in written for said in ("not marked", "<td>given</td>", f"<p>{given.note}</p>"))
 
 
-def test_results_go_to_a_spreadsheet_to_junit_and_to_the_students(call: Call, tmp_path: Path) -> None:
-    (tmp_path / "=ana.pal").write_text(form.read("add").solution)
-    (tmp_path / "ben.pal").write_text("*200\n\tJMP Q\n$\n")
-    assert call("pdp8 check add --export-student s.json") == (0, "", "wrote s.json\n")
-    status, out, _ = call(
-        "pdp8 check s.json =ana.pal ben.pal --csv marks.csv --junit marks.xml --pages pages"
-    )
-    assert (status, "\nanswer " in out) == (1, True)
-    assert (tmp_path / "marks.csv").read_text("utf-8").startswith("\ufeffanswer,"), "as Excel knows UTF-8"
-    assert (tmp_path / "marks.xml").read_text().count("<testcase ") == 10
-    assert "7 of 7 points" in (tmp_path / "pages" / "=ana.html").read_text()
-    assert "JMP Q" in (tmp_path / "pages" / "ben.html").read_text()
-    for option in ("--show solution", "--prove"):
-        said = "pdp8 check: s.json: solution is missing; a student's form has none\n"
-        assert call(f"pdp8 check s.json {option}") == (1, "", said)
-
-
 def test_gradescope_gets_each_case_and_no_figure_of_a_hidden_one() -> None:
     text = f"{HEAD}{DOUBLE}[[case]]\nname='c'\ndeposit={{A=2}}\ncore={{B=4}}\n"
     given = parse(
