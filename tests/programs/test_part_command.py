@@ -174,6 +174,14 @@ def test_help_says_units_defaults_and_the_language(call: Call) -> None:
     assert language in " ".join(call("pdp8 part curve --help")[1].split())
 
 
+def test_compare_shows_the_nine_blocks_side_by_side(shell: Shell) -> None:
+    lines = shell("pdp8 part compare ellipse").stdout.decode().splitlines()
+    assert lines[0].split() == ["block", "exact", "ge635"]
+    assert lines[1] == "  587  5876 6404 2647  585  5876 6404 2646  585"
+    assert len(lines) == 11
+    assert lines[-1] == "ellipse: 976 blocks exact, 976 ge635, 9 differ"
+
+
 def test_a_name_with_a_point_is_a_file_and_a_word_is_not(call: Call) -> None:
     for command in ("part profile", "nc inspect circle.eia --profile"):
         for given, is_file in (("none.csv", True), ("none", False), ("2.5*none", False), ("sin(x", False)):

@@ -91,7 +91,10 @@ def test_a_file_that_was_not_closed_is_none_as_in_os8() -> None:
     assert "FORT.PA was opened for output and not closed" in os8.listing(image)
     with pytest.raises(TapeError, match=r"no file FORT\.PA"):
         os8.words(image, "FORT.PA")
-    assert os8.directory(os8.insert(image, "FORT.PA", [5]))[0].name == "FORT.PA"
+    image = os8.insert(image, "FORT.PA", [5])
+    assert os8.directory(image)[0].name == "FORT.PA"
+    with pytest.raises(TapeError, match=r"FORT\.PA is there already"):
+        os8.insert(image, "FORT.PA", [5])
 
 
 @pytest.mark.parametrize(("more", "date"), [((), 0), ((0o1234,), 0o1234), ((0o1234, 0o5670), 0o1234)])

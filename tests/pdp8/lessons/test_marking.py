@@ -224,6 +224,8 @@ def test_what_is_no_file_has_no_points() -> None:
 @pytest.mark.parametrize(
     ("arguments", "status", "says"),
     [
+        ("add .", 1, ".: a folder; name the answers in it: ./*"),
+        ("ana.pal add.toml", 1, "; an exercise in TOML is wanted first, then the answers"),
         ("open.toml --prove", 1, "open: question 'a': answer is missing"),
         ("bad.toml a.pal", 1, "bad.toml: byte 0: not UTF-8"),
         ("add.toml --prove", 1, "add: accepted as right: halts for the wrong reason"),
@@ -232,6 +234,7 @@ def test_what_is_no_file_has_no_points() -> None:
 def test_the_command_says_what_is_wrong(
     arguments: str, status: int, says: str, call: Call, tmp_path: Path
 ) -> None:
+    (tmp_path / "ana.pal").write_text("*200\n\tHLT\n$\n")
     (tmp_path / "bad.toml").write_bytes(b"\xff")
     (tmp_path / "open.toml").write_text(f"{HEAD}solution='a: 1'\n[[question]]\nname='a'\nask='?'\n")
     mistake = "[[case]]\nname='a'\n[mistakes]\n'halts for the wrong reason'=['HLT', 'CLA HLT']\n"
