@@ -1,5 +1,5 @@
-"""What students write by mistake, in mistakes/; and in said.txt all that is said of each, as it was read by
-eye: line, columns, code, message, advice, hint. In auto.txt PN36 says that PAL8 was found. In beside.txt the
+"""What students write by mistake, in mistakes/, and below each all that is said of it, as it was read by eye:
+line, columns, code, message, advice, hint. In auto.txt PN36 says that PAL8 was found. In beside.txt the
 nearest sources that have a note and do not. Below, what of a line is shown.
 
 A `$` is added where there is none, but at "no end". No advice changes what a source means: it names what to
@@ -15,24 +15,31 @@ from tests.conftest import case
 
 FOLDER = Path(__file__).parent / "mistakes"
 _OF_FIELD_0 = "PN39 PN40 PN57 PN59 PN60"
+_SAID = re.compile(r"^\d+:\d+-\d+ \| .*\n", re.MULTILINE)
+
+
+def mistakes(dialect: str) -> Iterator[tuple[str, str, str]]:
+    """Yield the title of each mistake, its text without its `$`, and what is said of it."""
+    for mistake in (FOLDER / f"{dialect}.txt").read_text("utf-8").split("== ")[1:]:
+        title, _, text = mistake.partition("\n")
+        yield title, _SAID.sub("", text), "".join(_SAID.findall(text))
 
 
 def test_what_is_said_of_each_is_what_was_read() -> None:
     """And each note of a dialect has a line of it in beside.txt, but PN36, which is of the whole source."""
     beside = {tuple(line.split(" ")[:2]) for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines()}
-    said = []
     for dialect in ("pal3", "pal8", "auto"):
-        for mistake in (FOLDER / f"{dialect}.txt").read_text("utf-8").split("== ")[1:]:
-            title, _, text = mistake.partition("\n")
-            said.append(f"== {dialect} {title}")
+        for title, text, expected in mistakes(dialect):
             end = "" if title.startswith("no end") or "$" in text else "$\n"
+            said = ""
             for found in pal.assemble(text + end, dialect=dialect).diagnostics:
                 place = f"{found.line}:{found.column}-{found.end_column}"
                 known = found.code[:2] != "PN" or found.code == "PN36" or dialect == "auto"
                 assert known or (found.code, dialect) in beside, found.code
                 told = (place, found.code, found.message, found.advice, found.hint)
-                said.append(" | ".join(filter(None, told)))
-    assert said == (FOLDER / "said.txt").read_text("utf-8").splitlines()
+                said += " | ".join(filter(None, told)) + "\n"
+            with case(dialect, title):
+                assert said == expected
 
 
 def test_each_note_is_said_of_one_source_and_not_of_the_nearest() -> None:
@@ -62,8 +69,7 @@ def beside(line: str, said: bool) -> str:
 def sources() -> Iterator[tuple[str, str, str]]:
     """Yield the dialect, the title and the text of each mistake without its `$`."""
     for dialect in ("pal3", "pal8"):
-        for mistake in (FOLDER / f"{dialect}.txt").read_text("utf-8").split("== ")[1:]:
-            title, _, text = mistake.partition("\n")
+        for title, text, _ in mistakes(dialect):
             yield dialect, title, text
     for line in (FOLDER / "beside.txt").read_text("utf-8").splitlines():
         yield line.split(" ")[1], line, beside(line, True).removesuffix("$\n")
