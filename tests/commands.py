@@ -38,7 +38,6 @@ def environment(**variables: str) -> dict[str, str]:
 
 
 def run(*words: Word, stdin: bytes = b"", folder: Path | None = None, **variables: str) -> Done:
-    """Run a command to its end."""
     pipe = subprocess.PIPE
     run = start(*words, folder=folder, stdin=pipe, stdout=pipe, stderr=pipe, **variables)
     out, said = run.communicate(stdin, timeout=LONGEST)
@@ -53,7 +52,6 @@ def start(
     stderr: Stream = subprocess.PIPE,
     **variables: str,
 ) -> "subprocess.Popen[bytes]":
-    """Start a command."""
     given = [str(word) for word in words]
     outside = environment(**variables)
     run = subprocess.Popen(given, stdin=stdin, stdout=stdout, stderr=stderr, cwd=folder, env=outside)
@@ -117,7 +115,6 @@ class Terminal:
         return seen
 
     def type(self, keys: bytes) -> None:
-        """Press keys."""
         os.write(self.file, keys)
 
     def restored(self) -> bool:

@@ -19,7 +19,6 @@ TEXT = "THE QUICK BROWN FOX JUMPS OVER THE LAZY DOG\n" * 20
 
 
 def source(number: int) -> str:
-    """Return a source with so many errors."""
     return UNDEFINED.format("".join(f"\tTAD Q{at}\n" for at in range(number)))
 
 

@@ -45,7 +45,6 @@ class Register(NamedTuple):
 
 
 def load() -> Register:
-    """Return the register."""
     register, entries = Register({}, {}), dict[str, list[str]]()
     for line in REGISTER.read_text().splitlines():
         if line.startswith("@"):

@@ -297,7 +297,6 @@ def failures(seeds: range) -> Iterator[str]:
 
 
 def main() -> None:
-    """Fuzz from the command line."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--count", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=0)

@@ -50,7 +50,6 @@ def name(words: Block) -> str:
 
 
 def directory(tape: list[Block]) -> dict[str, list[Block]]:
-    """Return {file: its blocks}."""
     files, segment = {}, 1
     while segment:
         words = tape[segment]

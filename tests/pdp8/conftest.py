@@ -10,7 +10,6 @@ from pdp8.web.workbench import page
 
 @pytest.fixture(scope="session")
 def circle() -> Afternoon:
-    """The circle's afternoon."""
     return replay("circle")
 
 

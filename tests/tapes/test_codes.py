@@ -18,7 +18,6 @@ SIX_LEVEL = octal("041 003 050 066 007") * 4
 
 
 def classify(tape: bytes) -> str:
-    """Return the name of a tape's code."""
     return codes.recognise(tape).name
 
 

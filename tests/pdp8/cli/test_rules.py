@@ -31,7 +31,6 @@ class Watching:
 @flag("--list listed", "", only="TAPES --fill")
 @flag("--all whole", "", only="")
 def tried(tapes: tuple[str, ...], watching: Watching, **_: object) -> None:
-    """Say what it was given."""
     click.echo(f"{tapes} {watching.trace} {watching.cycles}")
 
 

@@ -15,7 +15,6 @@ FOLDER = Path(__file__).parent
 
 @pytest.fixture(autouse=True)
 def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A folder with what a session reads."""
     monkeypatch.chdir(tmp_path)
     shutil.copy(FOLDER / "dialogue.pal", tmp_path)
     for name in ("line.asc", "a line.asc"):

@@ -13,7 +13,6 @@ from tests.pdp8.web.follower import Follower, state
 
 @pytest.fixture(scope="module")
 def script(circle: Afternoon) -> Script:
-    """The circle's day."""
     return Script(circle.course)
 
 

@@ -12,7 +12,6 @@ STATES = 8
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A set of vectors."""
     folder = tmp_path_factory.mktemp("vectors")
     for name, content in files(STATES):
         (folder / name).write_bytes(content)

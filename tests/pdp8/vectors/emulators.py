@@ -58,8 +58,6 @@ class ReferenceEmulator:
 
 
 class ReferenceDevices(Devices):
-    """The devices of the reference."""
-
     def __init__(self, tape: bytes) -> None:
         self.tape = tape
         self.m = Reference(fast=True)

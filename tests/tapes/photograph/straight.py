@@ -38,7 +38,6 @@ def paper(light: Array, along: tuple[float, float], across: tuple[float, float],
 
 
 def hole(light: Array, u: float, v: float, radius: float, level: float = 60) -> None:
-    """Draw a disc."""
     first = [max(0, int((place + MARGIN - radius) * PITCH) - 1) for place in (v, u)]
     window = light[tuple(slice(start, start + int(2 * radius * PITCH) + 4) for start in first)]
     y, x = (
@@ -64,7 +63,6 @@ def sheet(length: int, along: float = 1, across: float = 1) -> Sheet:
 
 
 def at(u: Array, v: Array) -> Array:
-    """Return the pixels of places."""
     return (np.stack(np.broadcast_arrays(u, v), axis=-1) + MARGIN) * PITCH
 
 

@@ -97,12 +97,10 @@ def count(tape: bytes, picture: bytes) -> Counter[str]:
 
 
 def row(kind: str, counted: Counter[str]) -> str:
-    """Return a row of the table."""
     return f"| {kind} | {' | '.join(f'{counted[heading]:,}' for heading in HEADINGS)} |"
 
 
 def main(pictures: int, only: str = "") -> None:
-    """Print the table, a row a kind of picture."""
     print(f"| picture | {' | '.join(HEADINGS)} |")
     print("| --- " * 7 + "|")
     total: Counter[str] = Counter()
