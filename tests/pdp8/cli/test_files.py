@@ -23,7 +23,6 @@ from tapes.text import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell
 
-HALT = "*200\n\tHLT\n$\n"
 RIGHT = form.read("add").solution
 
 
@@ -31,34 +30,17 @@ RIGHT = form.read("add").solution
     ("lines", "said"),
     [
         ("reader own.bin; punch hard.bin", "hard.bin was read: it is not replaced"),
-        ("restore own.state; save own.state", "own.state was read: it is not replaced"),
         ("load own.bin; punch script", "script was read: it is not replaced"),
-        ("punch own.pal", "own.pal is there, and is no tape"),
-        ("save own.bin", "own.bin is there, and is no JSON"),
     ],
 )
 def test_the_monitor_keeps_what_it_read(lines: str, said: str, call: Call, tmp_path: Path) -> None:
     (tmp_path / "own.bin").write_bytes(shelf.read_bundled("eia.bin"))
-    (tmp_path / "own.pal").write_text(HALT)
-    (tmp_path / "own.state").write_text(state.save(Machine()))
     os.link("own.bin", "hard.bin")
     (tmp_path / "script").write_text(lines.replace("; ", "\n"))
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     status, _, error = call("pdp8 monitor script")
     assert (status, said in error) == (1, True), error
     assert before == {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-
-
-def test_the_monitor_reads_and_writes_again_what_it_wrote(call: Call, tmp_path: Path) -> None:
-    lines = "save x.state", "restore x.state", "save x.state", "punch x.asc", "reader x.asc", "punch x.asc"
-    status, out, said = call("pdp8 monitor -", "\n".join(lines).encode())
-    assert (status, said) == (0, "")
-    assert out.splitlines() == [
-        "wrote x.state",
-        "restored; 0.000000 s; next 0000  0000          AND 0000",
-        *("replaced x.state", "wrote x.asc: no frames", "x.asc: no frames"),
-        "replaced x.asc: no frames",
-    ]
 
 
 def test_what_is_written_into_a_folder_or_a_device_is_said(call: Call) -> None:

@@ -31,30 +31,6 @@ from tests.conftest import Call
 from tests.pdp8.cli.test_files import completed
 
 
-@pytest.mark.parametrize(
-    ("ending", "made"),
-    [
-        *((ending, "G-code") for ending in (".ngc", ".nc", ".gcode", ".tap", ".cnc", ".gc", ".GC")),
-        *((ending, "DXF") for ending in (".dxf", ".DXF")),
-        *((ending, "") for ending in ("", ".g", ".txt", ".ngc.txt")),
-    ],
-)
-def test_the_format_of_an_export_is_that_of_the_files_name(ending: str, made: str) -> None:
-    ctx = click.Context(nc.export, info_name="export")
-    name = f"a{ending}"
-    if not made:
-        with pytest.raises(click.UsageError, match="give --gcode or --dxf"):
-            nc._format(ctx, False, False, name)
-        assert nc._format(ctx, False, True, name) == "DXF"
-        return
-    assert nc._format(ctx, False, False, name) == made
-    assert nc._format(ctx, made == "G-code", made == "DXF", name) == made
-    other = "DXF" if made == "G-code" else "G-code"
-    with pytest.raises(click.UsageError) as raised:
-        nc._format(ctx, made != "G-code", made != "DXF", name)
-    assert raised.value.message == f"{name} is the name of {made}, not of {other}"
-
-
 def test_the_version_says_which_core_runs(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
     from pdp8.computer.speed import engine
 
