@@ -21,7 +21,7 @@ from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed, keyboard, pacing, watching
 from pdp8.cli.shared import command, parameters
 from pdp8.computer.machine import Machine
-from pdp8.computer.past import rewind
+from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
 from pdp8.computer.use.trace import Listing
 from pdp8.monitor.prompt import Monitor
