@@ -198,12 +198,16 @@ def test_on_the_page_a_doubtful_frame_is_corrected(browser: "Browser", tmp_path:
     widths = "[document.documentElement.scrollWidth, document.querySelector('main').clientWidth]"
     assert page.evaluate(widths) == [390, 390]
     page.get_by_role("button", name=f"{number}: ").click()
-    page.get_by_title("channel 8").click()
+    page.get_by_title("channel 8").press("Enter")
+    assert page.evaluate("document.activeElement.title") == "channel 8", "it has the focus still"
+    asks = "!dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+    assert page.evaluate(asks), "what was corrected is not saved yet"
     saved = {}
     for button in ("Save the tape", "Save the record of corrections"):
         with page.expect_download() as download:
             page.get_by_text(button).click()
         saved[button] = Path(download.value.path()).read_bytes()
+    assert not page.evaluate(asks)
     mended = bytearray(read.tape)
     mended[number] ^= 0o200
     assert saved["Save the tape"] == mended
