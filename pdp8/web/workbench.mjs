@@ -61,36 +61,37 @@ export class Bench {
     /** @type {Desk["Exercises"]} */ this.exercises = LATER; /** @type {Desk["Mill"]} */ this.mill = LATER; /** @type {Desk["Parts"]} */ this.parts = LATER;
     /** @type {Desk["Store"]} */ this.programs = LATER; /** @type {Desk["Session"]} */ this.session = LATER; /** @type {Desk["Switches"]} */ this.switches = LATER;
     /** @type {Desk["Tabs"]} */ this.tabs = LATER; /** @type {Desk["Teletype"]} */ this.teletype = LATER; /** @type {Desk["Time"]} */ this.time = LATER;
-    /** @type {{ state: string; breakpoints: number[] }} */ this.before = LATER;
+    /** @type {{ state: string; breakpoints: number[]; tape: any }} */ this.before = LATER;
     this.why = ""; // what is said of how the last run ended, or of what was done
     this.stop = new Stop("limit", 0, 0); // and the reasons
     this.ready = false; // whether the desk is there
     this.opening = /** @type {Promise<void> | null} */ (null); // and when it will be
-    document.addEventListener("dragover", (event) => event.preventDefault());
-    document.addEventListener("drop", (event) => {
+    for (const kind of ["dragover", "drop"]) document.addEventListener(kind, (/** @type {any} */ event) => {
+      if (!event.dataTransfer?.types.includes("Files")) return; // a text that is dragged is the browser's
       event.preventDefault();
       const reader = event.target?.closest("#reader");
-      [...(event.dataTransfer?.files ?? [])].forEach((file) => this.take(file, reader));
+      if (kind === "drop") [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
     });
   }
 
-  /** The machine, with what is watched in it; while the afternoon leads it, as it was kept before. */
+  /** The machine, with what is watched in it and its tape's name; while the afternoon leads it, as it was kept before. */
   get kept() {
-    const { until } = this;
+    const { teletype, until } = this;
     const machine = this.afternoon.on ? this.room.own : this.machine;
     if (!machine) return this.before;
     const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
-    return { state: this.drives.bare(machine), breakpoints };
+    return { state: this.drives.bare(machine), breakpoints, tape: teletype.kept };
   }
 
-  set kept({ state, breakpoints }) {
-    this.before = { state, breakpoints };
+  set kept({ state, breakpoints, tape }) {
+    this.before = { state, breakpoints, tape };
     const machine = this.drives.restored(state);
     for (const address of breakpoints) machine.watch.breakpoints.add(address & (machine.memory - 1));
     if (this.room.open) {
       machine.panel.stop();
       this.room.keep(machine);
     } else this.#standing(machine);
+    if (tape) this.teletype.kept = tape;
   }
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
@@ -208,6 +209,13 @@ export class Bench {
     button.ariaPressed = String(alone);
   }
 
+  /** Turn the sound on or off, by the box on the desk or the room's button. */
+  hear({ checked = !this.sound.on }) {
+    this.sound.turn(checked);
+    find("sound").checked = checked;
+    Object.assign(find("hear"), { ariaPressed: String(checked), textContent: checked ? "Sound on" : "Sound off" });
+  }
+
   browse() {
     find("file").value = ""; // the same file once more is a change, too
     find("file").click();
@@ -222,6 +230,8 @@ export class Bench {
    */
   async take(/** @type {File} */ file, reader = null) {
     const { name } = file;
+    await this.opening;
+    if (this.room.open) this.room.leave();
     this.say("");
     if (file.size > LARGEST) {
       this.say(`${name}: longer than ${grouped(LARGEST)} bytes, the most that is read of a file`);
@@ -274,6 +284,7 @@ export class Bench {
   #standing(/** @type {Machine} */ machine) {
     this.afternoon.takeOver();
     this.adopt(machine, true);
+    this.switches.card.end();
     this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
     this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");
@@ -321,10 +332,7 @@ export class Bench {
     const { format, version } = state;
     const machine = shortened(state, JSON.parse(save(new Machine(one_of_each()))), this.#bundled());
     this.shared = JSON.stringify({ program: { name, text }, machine: { format, version, ...machine } });
-    const link = await linked(JSON.parse(this.shared), "");
-    if (link.length <= LONGEST) return this.give(link, true);
-    this.hand();
-    return this.say(`a link would have ${grouped(link.length)} characters, and ${grouped(LONGEST)} are allowed: here is a file instead`);
+    return this.give(await linked(JSON.parse(this.shared), ""), true);
   }
 
   /** Give the program and the machine as a file. */
@@ -332,8 +340,15 @@ export class Bench {
     this.download("session.json", this.shared);
   }
 
-  /** Give the link with that end; where the page is a file nobody else can open it, so a file is offered, if one could be. */
+  /** Give the link with that end; where it is too long a file, if one could be; where the page is a file nobody else can open
+   *  it, so one is offered.
+   */
   async give(/** @type {string} */ end, file = false) {
+    if (end.length > LONGEST) {
+      if (file) this.hand();
+      this.say(`a link would have ${grouped(end.length)} characters, and ${grouped(LONGEST)} are allowed${file ? ": here is a file instead" : ""}`);
+      return;
+    }
     readdress(end, false, true);
     const { record: { url } } = this;
     const only = !url && location.protocol === "file:";

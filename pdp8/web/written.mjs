@@ -38,7 +38,8 @@ export function seconds(/** @type {number} */ ticks) {
   return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
 }
 
-/** Seconds as whole minutes. */
+/** Seconds as whole minutes: "36 minutes". */
 export function minutes(/** @type {number} */ time) {
-  return grouped(Math.round(time / 60));
+  const whole = Math.round(time / 60);
+  return `${grouped(whole)} minute${whole === 1 ? "" : "s"}`;
 }

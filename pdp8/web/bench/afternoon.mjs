@@ -40,7 +40,7 @@ export class Afternoon {
   /** The instant that the address names, in ticks; null if it names none. */
   get asked() {
     const named = /^#(?:workbench&)?t=(\d+(?:\.\d+)?)$/.exec(location.hash);
-    return named && Number(named[1]) * SECOND;
+    return named && Math.round(Number(named[1]) * SECOND);
   }
 
   /** Give the address of this instant. */
@@ -105,6 +105,7 @@ export class Afternoon {
 
   #lead() {
     const { bench } = this;
+    if (bench.ready) bench.before = bench.kept;
     bench.history.close();
     bench.aim();
     bench.switches?.card.end();

@@ -91,13 +91,14 @@ export class Clock {
   }
 
   #live(/** @type {number} */ passed, /** @type {number} */ now) {
-    const { machine } = this.bench;
-    const ticks = (passed / 1000) * SECOND * this.speed;
+    const { machine, room } = this.bench;
+    const speed = room.open ? 1 : this.speed; // the room has no other
+    const ticks = (passed / 1000) * SECOND * speed;
     const samples = /** @type {Lamps[]} */ ([]);
     let reason = "limit";
     if (!machine.processor.run) {
       if (this.#busy()) machine.wait(Math.min(ticks, SECOND) / SECOND);
-    } else if (this.speed <= SLOW) reason = this.#crawl(ticks, now);
+    } else if (speed <= SLOW) reason = this.#crawl(ticks, now);
     else reason = this.bench.history.together(() => this.#run(Math.ceil(ticks), now, samples));
     this.show(machine.processor.run && samples.length ? samples : [machine.panel.lamps], reason);
     return this.#moves();

@@ -38,6 +38,7 @@ export class Core {
   runUntil() {
     const { bench } = this;
     bench.afternoon.takeOver();
+    bench.aim(); // the goal before may watch the same word
     bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & (bench.machine.memory - 1)));
   }
 

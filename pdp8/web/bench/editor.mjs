@@ -148,7 +148,7 @@ export class Editor {
   }
 
   back() {
-    this.#turn(this.name);
+    this.begin(this.name);
   }
 
   /** Keep what is written: what another tab has made of the program meanwhile stays, and this gets a name of its own. */
@@ -198,7 +198,7 @@ export class Editor {
   remove() {
     const { programs } = this.bench;
     this.keep();
-    this.deleted = [this.name, programs.get(this.name)];
+    this.deleted = [this.name, programs.get(this.name) ?? this.before]; // another tab may have deleted it
     programs.remove(this.name);
     this.name = "";
     this.begin();
@@ -214,7 +214,11 @@ export class Editor {
     list.value = "";
     if (!kind || (kind !== "pal" && !this.assemble())) return;
     const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.called, this.text).listing };
-    this.bench.download(`${this.called.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
+    try {
+      this.bench.download(`${this.called.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
+    } catch (/** @type {any} */ error) {
+      this.bench.say(error.message); // a RIM tape has no fields
+    }
   }
 
   #say(/** @type {unknown} */ content) {
@@ -255,7 +259,7 @@ export class Editor {
       return html`<li class="${severity}"><button class="text" data-click="editor.goTo" data-line="${line}" data-start="${start}" data-end="${end}">${first}</button><pre>${rest.join("\n")}</pre></li>`;
     });
     put(find("messages"), html`<p>${summary}</p><ol>${items}</ol>${more ? html`<p>and ${more.toLocaleString("en")} more</p>` : ""}`);
-    for (const id of ["load", "boot"]) find(id).disabled = !places.length;
+    for (const id of ["load", "boot"]) find(id).disabled = !found.words.length;
     this.#draw();
     this.write();
   }
@@ -383,9 +387,9 @@ export class Editor {
     return true;
   }
 
-  /** Assemble, load and start; where it cannot be assembled, the first error is said. */
+  /** Assemble, load and start; where it cannot be assembled, the first error is said, or that there is nothing to run. */
   run() {
-    if (this.assemble()) {
+    if (this.assemble() && this.assembly.words.length) {
       if (this.load()) this.bench.switches.press("start");
       return;
     }
@@ -414,8 +418,8 @@ export class Editor {
     const addresses = this.assembly.words.map(([address]) => address);
     const start = addresses.includes(0o200) ? 0o200 : Math.min(...addresses);
     this.bench.switches.card.end();
-    machine.sr = start;
-    machine.panel.load_add();
+    machine.sr = start & 0o7777;
+    machine.panel.load_address(start);
     this.count(find("counts"));
     this.bench.touched();
   }
@@ -437,10 +441,10 @@ export class Editor {
 
   /** Show where the processor is. */
   write() {
-    if (find("program").hidden) return;
     const { machine } = this.bench;
     const counts = find("counts").checked;
     if (counts && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
+    if (find("program").hidden) return;
     const now = this.#inCore ? this.lineAt.get(instruction_at(machine.processor)) ?? null : null;
     if (now === this.now && !counts) return;
     this.now = now;

@@ -64,7 +64,7 @@ export class Mill {
     const frames = bytes(made);
     const { path, refusal } = carriedOut(frames);
     this.lay(`circle within ${inches(tolerance)} in`, frames, path, refusal);
-    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(this.path.cuts.length)} cuts, ${minutes(this.path.times.total)} minutes`;
+    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(this.path.cuts.length)} cuts, ${minutes(this.path.times.total)}`;
     this.#go(1);
   }
 
@@ -121,11 +121,11 @@ export class Mill {
 
   /** How many blocks were cut, and how long it takes. */
   get summary() {
-    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.path?.times.total ?? 0)} minutes at the Hydra-Point.`;
+    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.path?.times.total ?? 0)} at the Hydra-Point.`;
   }
 
   #where(/** @type {PathPlace} */ { block, x, y }) {
-    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${minutes(this.path.times.total * this.part)} min`;
+    return `${this.name}, block ${block + 1} of ${this.steps.length}: X ${inches(x)} Y ${inches(y)}, ${grouped(Math.round((this.path.times.total * this.part) / 60))} min`;
   }
 
   show() {

@@ -15,7 +15,7 @@ const RIM = ["Toggle in the RIM loader", "#drill"];
  *  @returns {[string, string[][]]} */
 export function next(/** @type {Pick<Bench, "machine" | "why" | "stop">} */ { machine, why, stop }) {
   const { processor, waiting } = machine;
-  if (!processor.run) return standing(processor, sentence(why || "The machine is stopped"));
+  if (!processor.run) return standing(machine, sentence(why || "The machine is stopped"));
   if (!waiting.endless) return ["The program runs.", [STOP]];
   const waits = stop.reason === "tape out" ? waits_for(machine) : stop.why;
   return [sentence(why || "The program waits"), [...hands(machine, waits).map((hand) => HANDS[hand]), STOP]];
@@ -27,7 +27,7 @@ function sentence(/** @type {string} */ words) {
 }
 
 /** @returns {[string, string[][]]} */
-function standing(/** @type {Processor} */ { core, pc, sing_step: step }, /** @type {string} */ stands) {
+function standing(/** @type {Machine} */ { pc, processor: { core, sing_step: step } }, /** @type {string} */ stands) {
   if (!core.some((word) => word)) return [`${stands} Its core memory is empty.`, out("program") && !out("card") ? [RIM, AGAIN] : [AGAIN]];
   const goes = step ? "CONT does one cycle" : "CONT goes on";
   return [`${stands} START begins at ${octal(pc)}, ${goes}.`, [START, CONT, AGAIN]];

@@ -24,13 +24,13 @@ import * as method from "../method.mjs";
 import { Pad } from "../pad.mjs";
 import { clipped, rect } from "../svg.mjs";
 import { bytes } from "../translator/runtime.mjs";
-import { find, grouped } from "../written.mjs";
+import { find, grouped, minutes } from "../written.mjs";
 
 export const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
 const SECONDS = 10; // that a printout may take
 const TRANSLATION = 60;
-const FRAMES_A_MINUTE = 600; // of the ASR-33
+const FRAMES_A_SECOND = 10; // of the ASR-33
 
 /** What is kept for an option as it was typed; undefined: its default. */
 function kept(/** @type {Option_} */ { choices, default: by_itself, flag, places, spelling, unit, whole }, /** @type {any} */ typed) {
@@ -88,7 +88,7 @@ export class Parts {
     this.ask();
     for (const [option, value] of Object.entries(typed)) {
       const input = find("part-options").querySelector(`[name="${CSS.escape(option)}"]`);
-      if (input) input.value = String(value);
+      if (input) Object.assign(input, input.type === "checkbox" ? { checked: value } : { value: String(value) });
     }
   }
 
@@ -131,9 +131,8 @@ export class Parts {
       const tape = encode(text);
       this.name = bench.shelf.put(`${part.name}.asc`, tape);
       bench.teletype.mount(this.name);
-      const minutes = grouped(Math.round(tape.length / FRAMES_A_MINUTE));
       const blocks = grouped(text.split("\n").length - 1);
-      find("part-punched").textContent = `${blocks} blocks: ${this.name}, ${grouped(tape.length)} frames, is in the reader. Punching it took ${minutes} minutes.`;
+      find("part-punched").textContent = `${blocks} blocks: ${this.name}, ${grouped(tape.length)} frames, is in the reader. Punching it took ${minutes(tape.length / FRAMES_A_SECOND)}.`;
       find("part-translate").disabled = false;
     } catch (/** @type {any} */ error) {
       find("part-punched").textContent = error.message;
@@ -166,13 +165,13 @@ export class Parts {
 
   show() {
     const { translating, bench: { machine, time } } = this, other = machine !== translating;
+    if (!machine.teletype.punch.frames.length) find("part-cut").disabled = true;
     if (!translating || (!other && machine.processor.run && !machine.waiting.endless)) return;
     this.translating = null;
     time.setSpeed(this.speed);
     if (other) return void (find("part-translated").textContent = "");
     const { frames } = machine.teletype.punch;
-    const minutes = grouped(Math.round(machine.elapsed / 60));
-    find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes} minutes on the PDP-8/L.`;
+    find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes(machine.elapsed)} on the PDP-8/L.`;
     find("part-cut").disabled = !frames.length;
   }
 }

@@ -76,7 +76,7 @@ export class Store {
   remove(/** @type {string} */ name) {
     this.held.delete(name);
     try {
-      localStorage.removeItem(this.prefix + name);
+      if (!RESTS) localStorage.removeItem(this.prefix + name);
     } catch { /* it kept nothing */ }
   }
 

@@ -16,8 +16,9 @@ export class Switches {
     this.panel = new Panel(find("computer"));
     this.card = new Card(bench);
     document.addEventListener("keydown", (event) => {
-      const place = bench.room.open ? find("room") : find("computer");
-      if (bench.room.open ? !event.target?.matches("input") : place.contains(/** @type {Node} */ (event.target))) this.#key(place, event);
+      const room = bench.room.open && find("room"), place = room ? room.querySelector(".hand") : find("computer");
+      const own = room && (event.target?.matches("input") || room.querySelector("dialog[open]"));
+      if (!own && place.checkVisibility() && (room || place.contains(/** @type {Node} */ (event.target)))) this.#key(place, event);
     });
   }
 
@@ -55,7 +56,7 @@ export class Switches {
   }
 
   #key(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {
-    const control = keyed(place.querySelector(".hand") ?? place, event);
+    const control = keyed(place, event);
     if (control) control.click();
     else if (/^[0-7]$/.test(event.key) && place.querySelector(".rocker") && !modified(event)) this.#set(((this.bench.machine.processor.sr << 3) | Number(event.key)) & 0o7777);
     else return;
@@ -117,12 +118,12 @@ class Card {
   }
 
   drill() {
+    this.bench.afternoon.takeOver();
     if (this.coach) this.#practise(false);
     else this.practise();
   }
 
   #practise(/** @type {boolean} */ on) {
-    this.bench.afternoon.takeOver();
     this.coach = on ? new Coach(this.card, this.bench.machine) : null;
     this.looked = performance.now();
     this.#say(this.coach?.said ?? "");

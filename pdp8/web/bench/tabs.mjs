@@ -40,7 +40,9 @@ export class Tabs {
     if (list.parentElement.hidden || [...list.children].some((tab) => tab.hidden && tab.dataset.opens === opened)) return;
     this.#show(opened);
     bench.show();
-    if (!bench.afternoon.on && list.getBoundingClientRect().top < 0) list.scrollIntoView();
+    if (bench.afternoon.on) return;
+    if (!list.parentElement.checkVisibility()) document.querySelector(".alone > .enlarge")?.click();
+    if (list.getBoundingClientRect().top < 0) list.scrollIntoView();
   }
 
   #show(/** @type {string} */ opened) {

@@ -77,11 +77,6 @@ export class Teletype {
     else if (character > "\r") this.bench.sound.strike("print");
   }
 
-  /** Turn the sound of the page on or off. */
-  hear(/** @type {HTMLInputElement} */ { checked }) {
-    this.bench.sound.turn(checked);
-  }
-
   /** Tear off the paper that has been shown, or hours of printing would fill the memory. No step back restores it. */
   #tearPaper() {
     this.bench.machine.teletype.printer.frames.clear();

@@ -93,7 +93,8 @@ export class Time {
     const slider = find("slider");
     slider.max = end;
     if (Math.abs(slider.value - now) > end / FINE) slider.value = now;
-    if (find("clock").textContent !== time) slider.setAttribute("aria-valuetext", `${time}, ${act}`);
+    const says = `${time}, ${act}`;
+    if (slider.getAttribute("aria-valuetext") !== says) slider.setAttribute("aria-valuetext", says);
     this.bench.writer.text(find("clock"), time);
   }
 
@@ -131,7 +132,10 @@ export class Time {
     const control = document.querySelector(String(dataset.for));
     control.closest("details")?.setAttribute("open", "");
     if (control.matches("button")) control.click();
-    else control.focus();
+    else {
+      if (!control.checkVisibility()) document.querySelector(".alone > .enlarge")?.click();
+      control.focus();
+    }
   }
 
   show() {

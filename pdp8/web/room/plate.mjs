@@ -45,8 +45,10 @@ export class Plate {
 
   /** Mill as far as a place of the path (Path.at). */
   to(/** @type {PathPlace} */ place) {
-    if (place.knot < this.at.knot) this.#begin();
-    const { at, knots } = this;
+    const { knots } = this, { x, y } = knots[this.at.knot];
+    const far = (/** @type {Place} */ each) => Math.hypot(each.x - x, each.y - y);
+    if (place.knot < this.at.knot || (place.knot === this.at.knot && far(place) < far(this.at))) this.#begin(); // back
+    const { at } = this;
     if (place.knot === at.knot && Math.hypot(place.x - at.x, place.y - at.y) < FINE) return;
     const path = new Path2D(), xs = /** @type {number[]} */ ([]), ys = /** @type {number[]} */ ([]);
     let from = /** @type {Place} */ (at);

@@ -13,6 +13,7 @@ import { Minute } from "../../lessons/minute.mjs";
 import { sent } from "../../computer/use/keys.mjs";
 import { bounds } from "../bench/path.mjs";
 import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
+import { counted } from "../../../tapes/quantities.mjs";
 import { codeOf } from "../bench/shelf.mjs";
 import { keyed, modified } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
@@ -86,6 +87,7 @@ export class Room {
   enter(/** @type {number | null} */ tick = null) {
     const { bench, bench: { afternoon, machine }, place } = this;
     if (!afternoon.on) this.keep(machine);
+    afternoon.playing = false; // at the desk
     place.hidden = false;
     if (!this.tour) this.#furnish();
     this.#resize();
@@ -135,22 +137,18 @@ export class Room {
     this.#wake();
   }
 
-  hear(/** @type {HTMLButtonElement} */ button) {
-    const { sound } = this.bench;
-    sound.turn(!sound.on);
-    button.ariaPressed = String(sound.on);
-    button.textContent = sound.on ? "Sound on" : "Sound off";
-  }
-
   /** Take the switches, where one left them if one had, or go back to the story. */
   take() {
-    const { bench, own, place, tour } = this;
+    const { bench, bench: { teletype }, own, place, tour } = this;
     if (this.live) return this.go({ value: tour.turn });
+    const { code, name } = teletype; // of the tape in his reader
     bench.afternoon.playing = this.playing;
     bench.touch(() => {});
+    bench.switches.card.end();
     this.live = true;
     if (own) {
       bench.adopt(own);
+      teletype.named(name, code);
       this.typed = Infinity; // on paper of its own
     }
     const { punch, reader } = bench.machine.teletype;
@@ -199,6 +197,7 @@ export class Room {
     find("mine").focus({ preventScroll: true });
     if (made) return;
     this.#paper(machine.teletype.printer.frames.length); // what comes is only of the visitor
+    find("mine").value = this.mine = "";
     if (guide.start) bench.teletype.tear({ value: "teletype" });
   }
 
@@ -230,7 +229,7 @@ export class Room {
     const box = find("tape"), link = box.querySelector("a"), image = box.querySelector("img");
     if (link.href) URL.revokeObjectURL(link.href);
     image.src = link.href = URL.createObjectURL(picture);
-    image.alt = `A paper tape with ${frames.length} rows of holes: ${made}`;
+    image.alt = `A paper tape with ${counted(frames.length, "rows")} of holes: ${made}`;
     link.download = `${made.replace(/\W+/g, "-") || "tape"}.png`;
     box.showModal();
   }
@@ -269,6 +268,7 @@ export class Room {
     this.playing = false;
     if (!this.live && this.own) this.bench.afternoon.release(this.own);
     this.#letGo();
+    this.own = null; // it is the page's
     this.bench.sound.hum(0, 0);
     if (/^(#t=.*)?$/.test(location.hash)) readdress(DESK, true);
     this.bench.show();
@@ -505,14 +505,14 @@ export class Room {
   }
 
   #teletype(/** @type {Canvas} */ c, /** @type {number} */ seconds) {
-    const { bench: { afternoon, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
+    const { bench: { afternoon, teletype, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
     page.draw(c, moved.struck, moved.fed);
     const { day, now } = afternoon.script;
     const terminal = printing && day.tapes.get(`${day.part}.asc`);
     const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
     this.glides = false;
     this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? ASCII : this.typing ? ASCII : this.live ? codeOf(punch.frames) : EIA, seconds);
-    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, afternoon.code ?? BLANK_TAPE, seconds);
+    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, (this.live ? teletype.code : afternoon.code) ?? BLANK_TAPE, seconds);
     drawHeads(c, reader.on && !terminal);
   }
 

@@ -25,6 +25,7 @@ export class Sound {
   }
 
   turn(/** @type {boolean} */ on) {
+    this.hum(0, 0); // else it would hum on where it is turned on again
     this.on = on;
     if (on && !this.context) this.#build(new AudioContext());
     this.context?.[on ? "resume" : "suspend"]();

@@ -15,13 +15,6 @@ async function desk(more = {}) {
   return bench;
 }
 
-/** A key pressed where nothing has keys of its own; return whether it was taken. */
-function press(key, more = {}) {
-  let taken = false;
-  page.hear("keydown", { key, target: { matches: () => false }, preventDefault: () => (taken = true), ...more });
-  return taken;
-}
-
 export const cases = {
   "a screen rests so long after the last touch": async () => {
     location.search = "?rest=12";
@@ -86,23 +79,6 @@ export const cases = {
     seen.push(/within [−+]\d\.\d{4} and [−+]\d\.\d{4}$/.test(find("close-label").textContent));
     for (const name of ["b", "c"]) mill.lay(`${name}.eia`, frames, null, `Refused: ${name}`);
     return [[seen, mill.summary, mill.name], [[[false, false], [false, false], [true, true], "3", true, "", true], "Refused: c", "c.eia"]];
-  },
-  "speeds go no further than the first and the last": async () => {
-    const { Time } = await get("bench/time");
-    const set = [];
-    const bench = await desk({ clock: { set speed(speed) { set.push(speed); } } });
-    void new Time(bench);
-    find("time").querySelector = () => null;
-    const select = Object.assign(find("speed"), { options: ["1", "2", "4"].map((value) => ({ value })), at: 1 });
-    Object.defineProperty(select, "selectedIndex", { configurable: true, get() { return this.at; }, set(at) { this.at = at; this.value = this.options[at]?.value; } });
-    const taken = ["+", "=", "-", "-", "-", "-"].map((key) => press(key));
-    bench.room.open = true;
-    taken.push(press("+"));
-    bench.room.open = false;
-    taken.push(press("+", { ctrlKey: true }), press("+", { defaultPrevented: true }), press("+", { target: { matches: () => true } }));
-    delete find("time").querySelector;
-    delete select.selectedIndex;
-    return [[set, taken], [[4, 4, 2, 1, 1, 1], [true, true, true, true, true, true, false, false, false, false]]];
   },
   "a tab that was hidden while the machine ran tells for how long, each time anew": async () => {
     const said = [];
@@ -178,8 +154,9 @@ export const cases = {
     made.made.now = 10 * second;
     shown.push(made.pressed);
     const asked = ["#t=5", "#t=0", "#workbench&t=2.5", "#workbench", "#t=x", ""].map((hash) => ((location.hash = hash), made.asked));
+    const missed = Array.from({ length: 999 }, (_, at) => 6e10 + 31 * at).filter((tick) => ((location.hash = `#t=${tick / second}`), made.asked !== tick));
     location.hash = "";
-    return [[shown, asked], [["start", "start", null, null, null], [5 * second, 0, 2.5 * second, null, null, null]]];
+    return [[shown, asked, missed], [["start", "start", null, null, null], [5 * second, 0, 2.5 * second, null, null, null], []]];
   },
   "a word of core that changed is marked, until it is looked at again": async () => {
     const { Core } = await get("bench/core");
@@ -317,11 +294,11 @@ export const cases = {
     for (const address of [0o200, 0o300]) running.watch.breakpoints.add(address);
     running.processor.run = 1;
     const drives = { bare: () => "as it is", restored: () => running }, room = { open: true, keep: (found) => (room.found = found) };
-    const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives });
+    const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives, teletype: { kept: "a" } });
     kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o201] });
     Object.defineProperty(running, "memory", { value: 0o20000 });
     kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o10201] });
-    return [[before, room.found === running, running.processor.run, [...running.watch.breakpoints]], [{ state: "as it is", breakpoints: [0o200] }, true, 0, [0o200, 0o300, 0o201, 0o10201]]];
+    return [[before, room.found === running, running.processor.run, [...running.watch.breakpoints]], [{ state: "as it is", breakpoints: [0o200], tape: "a" }, true, 0, [0o200, 0o300, 0o201, 0o10201]]];
   },
   "a session is found again part by part": async () => {
     const { Session } = await get("bench/session");
@@ -396,23 +373,6 @@ export const cases = {
     const tops = [1, 8, 9, 40].map((line) => (area.scrollTop = 0, editor.goTo({ dataset: { line, start: 0, end: 0 } }), area.scrollTop));
     return [[marked.slice(0, 3), tops], [[[0, 2], [4, 6], [7, 8]], [-120, 0, 72, 816]]];
   },
-  "a source is as long as it may be, and no longer": async () => {
-    const { Editor } = await get("bench/editor");
-    const programs = new (await get("bench/store")).Store("long");
-    const editor = new Editor(await desk({ programs, shelf: { names: () => [] }, apart: { ask: () => new Promise(nothing) } }));
-    const said = [200_000, 200_001].map((length) => {
-      try { editor.put("long.pal", "/".repeat(length)); return editor.text.length; } catch (error) { return error.message.slice(0, 11); }
-    });
-    editor.put("short.pal", "HLT");
-    const { area } = editor;
-    Object.assign(area, { selectionStart: 1, selectionEnd: 2, setRangeText: (text, from, until) => (area.value = area.value.slice(0, from) + text + area.value.slice(until)) });
-    for (const [length, readOnly] of [[1999, false], [2000, true], [2000, false]]) {
-      area.readOnly = readOnly;
-      area.heard.paste.at(-1)({ clipboardData: { getData: () => "/".repeat(length) }, preventDefault: () => said.push("here") });
-      said.push(editor.text.length); // the browser does the short, and nothing in a text that is only read
-    }
-    return [said, [200_000, "a source of", 3, 3, "here", 2002]];
-  },
   "a program that is renamed has its text under the new name alone": async () => {
     const { Editor } = await get("bench/editor");
     const programs = new (await get("bench/store")).Store("named");
@@ -476,18 +436,6 @@ export const cases = {
     const [reader, punch] = ["reader", "punch"].map((what) => `It waits for the ${what}.`);
     return [said, ["throws a switch", reader, reader, punch, punch, "", "", ...Array(7).fill("")]];
   },
-  "Tab writes where somebody writes, and leads on otherwise": async () => {
-    const { Editor } = await get("bench/editor");
-    const { area } = new Editor(await desk({ programs: {}, shelf: {} }));
-    const wrote = [];
-    area.setRangeText = (text) => wrote.push(text);
-    const key = (name, more = {}) => { let taken = false; area.heard.keydown.at(-1)({ key: name, preventDefault: () => (taken = true), ...more }); return taken; };
-    area.readOnly = false;
-    const seen = [key("Tab"), key("Enter"), key("Enter"), key("Tab"), key("Tab", { shiftKey: true }), key("Escape"), key("Tab"), key("x"), key("Tab")];
-    area.readOnly = true;
-    seen.push(key("Tab"));
-    return [[seen, wrote], [[false, true, false, true, false, false, false, false, true, false], ["\t", "\t"]]];
-  },
   "a link holds what it is given, in letters that an address has": async () => {
     const { linked, opened } = await get("bench/sharing");
     const { inflateRawSync } = await import("node:zlib");
@@ -503,21 +451,6 @@ export const cases = {
     const damaged = await opened().catch(({ message }) => message);
     location.hash = "";
     return [[wrong, damaged], [[], "it is damaged or cut short"]];
-  },
-  "why a program is not run is its first error": async () => {
-    const { Editor } = await get("bench/editor");
-    const bench = await desk({ programs: {}, shelf: {}, switches: { press: (key) => bench.said.push(key) } });
-    const editor = Object.assign(new Editor(bench), { assemble: () => false, load: () => true });
-    const note = (severity, line) => ({ severity, line, brief: `${severity} ${line}` });
-    for (const diagnostics of [[note("warning", 1), note("error", 3), note("error", 4)], [note("warning", 1)], []]) {
-      Object.assign(editor, { assembly: { diagnostics, summary: "no word" } });
-      editor.run();
-    }
-    editor.assemble = () => true;
-    editor.run();
-    editor.load = () => false;
-    editor.run();
-    return [bench.said, ["Not run: line 3, error 3", "Not run: no word", "Not run: no word", "start"]];
   },
   "a practice goes on where it was left, one that was done begins": async () => {
     const { Switches } = await get("bench/switches");

@@ -350,6 +350,7 @@ export class Element extends Node {
     if (!this.isConnected) return false;
     for (let at = this; at; at = at.parentElement) {
       if (at.hidden || at.classList.contains("out") || (at.localName === "dialog" && !at.open)) return false;
+      if (at.localName === "section" && at.parentElement?.classList.contains("one") && !at.classList.contains("alone")) return false;
       if (at !== this && at.localName === "details" && !at.open && !at.querySelector("summary")?.contains(this)) return false;
     }
     return true;

@@ -37,10 +37,12 @@ IDLE = """(() => {
   return !processor.run && bus.next_event(processor.clock) > 1e14;
 })()"""
 """The processor is stopped, and no device has anything to do."""
+WORKED = "workbench.machine.processor.core.some(Boolean)"
 NEWEST = 20
 """Tapes that a reload finds again."""
+STALE = Path(__file__).with_name("stale.mjs").read_text(encoding="utf-8")
 DRIVER = (
-    Path(__file__).with_name("stale.mjs").read_text(encoding="utf-8")
+    STALE
     + """
 window.driver = {
   click(selector) { document.querySelector(selector).click(); },
@@ -233,13 +235,17 @@ class Model:
     def flip(self) -> None:
         self._click("#computer .rocker[value='11']")
         self.sr ^= 1
-        if self.led:  # what the story left in the machine is the visitor's
-            self._click('#computer [data-key="stop"]')
-            until(self.page, IDLE)  # the Teletype ends what it has begun
-            facts = self._facts()
-            self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
-            self.punched, self.mounted = facts["punched"], facts["mounted"]
-            self.led = self.playing = False
+        if self.led:
+            self._taken()
+
+    def _taken(self) -> None:
+        """What the story left in the machine is the visitor's."""
+        self._click('#computer [data-key="stop"]')
+        until(self.page, IDLE)  # the Teletype ends what it has begun
+        facts = self._facts()
+        self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
+        self.punched, self.mounted = facts["punched"], facts["mounted"]
+        self.led = self.playing = False
 
     def throw(self) -> None:
         if self.led:
@@ -298,9 +304,12 @@ class Model:
     # Tapes
 
     def drop(self) -> None:
-        if self.led:
-            return
-        self.page.evaluate("workbench.take(new File(['1 2\\r\\n'], 't.asc'))")
+        if not self.led:
+            self._drop()
+
+    def _drop(self) -> None:
+        content = f"{self.draw.randrange(8)} 2\r\n"
+        self.page.evaluate("(content) => workbench.take(new File([content], 't.asc'))", content)
         name, number = "t.asc", 1
         while name in self.tapes:
             number += 1
@@ -371,25 +380,34 @@ class Model:
         self._put("#slider", str(self.draw.randrange(1, 10_000) * SECOND), "change")
 
     def visit_room(self) -> None:
-        """Into the room, at its switches or not, and back: the visitor's machine is as he left it."""
-        if self.led:
-            return
-        worked = self.page.evaluate("workbench.machine.processor.core.some(Boolean)")
+        """Into the room, at its switches or not, and back, also by a tape that is dropped there: the machine
+        is as the visitor left it.
+        """
+        worked = self.page.evaluate(WORKED)
         self._click("#enter")
-        if taken := self.draw.random() < 0.6:
+        if self.led:  # a play ends there
+            self.playing = False
+            self._click("#leave")
+            return
+        way = self.draw.choice(("take", "take", "look", "drop"))
+        if way == "take":
             self._click("#take")
             self._click('#room [data-key="stop"]')
             until(self.page, IDLE)
             self._click("#room .rocker[value='10']")
-            facts = self._facts()
-        self._click("#leave")
+            self.sr ^= 2
+        if way == "drop":
+            self._drop()
+        else:
+            self._click("#leave")
         self.laid = True
-        if taken:
-            self.sr, self.step, self.protect = facts["sr"], facts["step"], facts["protect"]
-            self.punched, self.mounted = facts["punched"], facts["mounted"]
-        elif not worked:
+        if worked:
+            return
+        if way == "look":
             self.led = True
             self.playing = self._facts()["playing"]
+        else:
+            self._taken()
 
     # What is kept
 
@@ -402,20 +420,27 @@ class Model:
         self._put("#speed", self.speed, "change")
 
     def reload(self) -> None:
-        """All is as it was, but a story does not lead any more, and of the tapes the newest are kept."""
-        if self.refuses or self.led:
+        """All is as it was, by the room, too, or before a story led, which does not any more; of the tapes
+        the newest are kept.
+        """
+        if self.refuses:
             return
-        self.page.evaluate("(desk) => history.replaceState(null, '', desk)", DESK)
+        end = self.draw.choice((DESK, "")) if not self.led and self.page.evaluate(WORKED) else DESK
+        here = "history.replaceState(null, '', location.href.replace(/#.*/, '') + end)"
+        self.page.evaluate(f"(end) => {{ workbench.afternoon.hush(); {here}; }}", end)
         tab = self.page.evaluate("workbench.tabs.kept")
         self.page.reload()
         self._found_again()
+        if not end:
+            assert self.page.evaluate("stale()") == []
+            self._click("#leave")
         assert self.page.evaluate("workbench.tabs.kept") == tab
 
     def _found_again(self) -> None:
         until(self.page, "!!window.workbench?.ready")
         self.page.evaluate(DRIVER)
         self.tapes = self.tapes[-NEWEST:]
-        self.laid = False
+        self.laid = self.led = self.playing = False
         self.held = None
 
     def other_tab(self) -> None:

@@ -1,6 +1,9 @@
 """The desk: programs that are kept, what is typed, files and links, exercises and parts, in Chromium."""
 
+import json
+import random
 import re
+import string
 from itertools import product
 from pathlib import Path
 
@@ -14,6 +17,7 @@ from tests.conftest import Call
 from tests.pdp8.web import small
 from tests.pdp8.web.browsing import DESK, Browser, Page, click, in_chromium, until, visit
 from tests.pdp8.web.node import needs_node
+from tests.pdp8.web.test_hostile import link
 
 HALT = "*200\n\tHLT\n$\n"
 
@@ -55,6 +59,11 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
+_DRAGGED = """(kind) => ["dragover", "drop"].map((each) => {
+  const dragged = new Event(each, { bubbles: true, cancelable: true });
+  dragged.dataTransfer = { types: [kind], files: [] };
+  return document.getElementById("source").dispatchEvent(dragged);
+})"""
 _PASTED = """(length) => {
   const source = document.getElementById("source"), text = "A\\r\\n".repeat(length / 2);
   const pasted = new Event("paste", { cancelable: true });
@@ -66,12 +75,17 @@ _PASTED = """(length) => {
 
 
 def test_a_long_text_is_pasted_at_once(page: Page) -> None:
-    """Where the selection was; a short one by the browser, and one that is too long not at all."""
+    """Where the selection was; a short one, or one that is dragged, by the browser, too long a one not."""
+    assert [page.evaluate(_DRAGGED, kind) for kind in ("text/plain", "Files")] == [[True] * 2, [False] * 2]
     page.locator("#source").fill(HALT)
     assert page.evaluate(_PASTED, 1998) == [False, len(HALT), HALT[:4], 1]
     assert page.evaluate(_PASTED, 2000) == [True, len(HALT) - 2 + 2000, "*A\nA", 2001]
     assert page.evaluate(_PASTED, 200_000)[1] == len(HALT) - 2 + 2000
     assert "200\u202f000 are allowed" in page.locator("#next").inner_text()
+    put = "(length) => { try { workbench.editor.put('a.pal', '/'.repeat(length)); } catch { return false; } }"
+    assert [page.evaluate(put, length) for length in (200_000, 200_001)] == [None, False]
+    page.evaluate("workbench.editor.lay('eia.pal')")
+    assert not page.evaluate(_PASTED, 2000)[0]
 
 
 _KEYS = """([text, ...pressed]) => {
@@ -130,6 +144,17 @@ def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
     tabs[1].locator("#source").fill(HALT + "/ third\n")
     until(tabs[1], "workbench.programs.get('mine.pal')?.includes('third')")
     assert "second" in tabs[1].evaluate("workbench.programs.get('mine 2.pal')")
+    page.evaluate("workbench.editor.lay('eia.pal')")
+    tabs[0].evaluate("workbench.editor.begin('mine 2.pal'); workbench.editor.remove();")
+    click(page, "[data-click='editor.back']")
+    kept = page.evaluate("workbench.programs.get(workbench.editor.name) === workbench.editor.text")
+    assert kept, "one that there is"
+    for tab in (page, tabs[0]):
+        tab.evaluate("workbench.editor.begin('mine.pal')")
+    for tab in (tabs[0], page):
+        tab.evaluate("workbench.editor.remove()")
+    page.evaluate("workbench.editor.undo()")
+    assert "third" in page.evaluate("workbench.editor.text")
 
 
 def test_a_reload_loses_nothing(page: Page) -> None:
@@ -176,13 +201,16 @@ def test_a_reload_loses_nothing(page: Page) -> None:
 
 
 def _visited_again(page: Page) -> Page:
-    """Reload the page, then leave it and come again in another tab."""
+    """Reload the page, then come again in another tab, by the room, which leads a machine of its own."""
     _reopened(page)
-    address = page.url
+    address = page.url.split("#")[0]
     other = page.context.new_page()
     page.close(run_before_unload=True)
     other.goto(address)
     until(other, "!!window.workbench?.ready")
+    assert other.evaluate("workbench.machine === workbench.afternoon.script.machine")
+    other.evaluate("dispatchEvent(new Event('pagehide'))")
+    click(other, "#leave")
     return other
 
 
@@ -274,6 +302,46 @@ def test_nothing_of_the_machine_before_is_left(file: Path) -> None:
             assert page.evaluate(_CHANGED, [before, _THERE]) == [], (done, back)
 
 
+_LAST = """async () => {
+  const { afternoon, editor, exercises, programs, room, tabs } = workbench, lost = [];
+  const on = ({ dataset: { click, opens }, id }) =>
+    id ? `#${id}` : opens ? `[data-opens=${opens}]` : `[data-click='${click}']`;
+  exercises.open("add");
+  tabs.open("exercises");
+  exercises.begin();
+  const all = [...document.querySelectorAll(":is(#program .tools, #exercises, #tabs, header) button")]
+    .filter((each) => each.checkVisibility() && !each.matches("#delete-program, #asked .go")).map(on);
+  const acts = all.map((each) => [each, () => document.querySelector(each).point()]);
+  acts.push(["a source", () => document.querySelector("#sources").choose("counter.pal")]);
+  acts.push(["a file", () => workbench.take(new File(["/"], "b.pal"))]);
+  acts.push(["the afternoon", () => afternoon.go(6e10)]);
+  for (const [number, [name, act]] of acts.entries()) {
+    if (room.open) room.leave();
+    afternoon.takeOver();
+    tabs.open("exercises");
+    if (editor.area.readOnly || editor.name !== "add.pal") editor.begin("add.pal");
+    editor.area.fill(`/ ${number} before\n`);
+    await dom.pass(400);
+    editor.area.fill(`/ ${number} last\n`);
+    await act();
+    await dom.pass(400);
+    const texts = programs.names().map((each) => programs.get(each).trim());
+    const found = texts.filter((each) => each === `/ ${number} last`).length;
+    if (found !== 1 || texts.includes(`/ ${number} before`)) lost.push([name, ...texts]);
+  }
+  return [acts.length, lost];
+}"""
+
+
+@needs_node
+def test_what_was_typed_last_is_kept_whatever_comes_next(file: Path) -> None:
+    """Once, under its name; and what it was before is nowhere any more."""
+    with small.visit(file, DESK) as page:
+        count, lost = page.evaluate(_LAST)
+        assert lost == []
+        assert count > 15
+
+
 @in_chromium
 def test_an_exercise_stands_beside_its_program(page: Page) -> None:
     """In the order of a class, by level. Another program is not marked for the answer."""
@@ -325,23 +393,6 @@ def test_where_it_went_wrong(page: Page, browser: Browser, tmp_path: Path, call:
             assert "the history goes back 0" in tab.locator("#next").inner_text()
             click(tab, "#forward")
             assert tab.evaluate("workbench.machine.pc") == 0o201
-
-
-def test_the_desk_is_as_it_was_left_when_the_room_has_been_seen(page: Page) -> None:
-    """A later visit opens in the room; behind it the machine and its breakpoints are as they were."""
-    click(page, "#run-it")
-    until(page, "!workbench.machine.processor.run && workbench.machine.pc === 0o206")
-    page.evaluate("workbench.machine.watch.breakpoints.add(0o203)")
-    other = page.context.new_page()
-    page.close(run_before_unload=True)
-    other.goto(page.url.split("#")[0])
-    until(other, "window.workbench?.ready && workbench.room.open")
-    other.evaluate("dispatchEvent(new Event('pagehide'))")
-    click(other, "#leave")
-    held = "[workbench.machine.pc, ...workbench.machine.watch.breakpoints]"
-    assert other.evaluate(held) == [0o206, 0o203]
-    _reopened(other)
-    assert other.evaluate(held) == [0o206, 0o203]
 
 
 @in_chromium
@@ -420,6 +471,9 @@ def test_counts_and_the_current_line(page: Page) -> None:
     until(page, f"{_COUNTS} === '5,4,1'")  # it is drawn a moment later
     page.evaluate("workbench.machine.pc = 0o201; workbench.touched();")
     assert page.locator("#gutter .now").inner_text().split()[:2] == ["3", "0201"]
+    page.evaluate("workbench.tabs.open('mill')")
+    _drop(page, "a.state", page.evaluate("workbench.drives.bare(workbench.machine)"))
+    until(page, "workbench.machine.watch.observer === workbench.editor.counts")
 
 
 @in_chromium
@@ -475,6 +529,11 @@ def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page
     assert page.evaluate("[workbench.room.open, workbench.exercises.name, location.hash]") == [
         False, "echo", "#exercise=larger",
     ]  # fmt: skip
+    part = {"name": "drill", "typed": {"holes": "1,1"}, "tape": "link.eia"}
+    page.goto(page.url.split("#")[0] + link({"part": part}))  # which nothing keeps: it is made again
+    for _ in range(2):
+        _reopened(page)
+        until(page, "workbench.mill.name?.startsWith('link')")
 
 
 def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
@@ -491,6 +550,11 @@ def test_an_exercise_of_a_teachers_is_dropped_and_marked(page: Page) -> None:
     page.goto(page.url.split("#")[0] + "#exercise=read-a-frame")
     _reopened(page)
     assert page.locator("#asked code").inner_text() == "o   o o o .       "
+    task = "".join(random.Random(1).choices(string.ascii_letters, k=20_000))
+    _drop(page, "long.json", json.dumps({"title": "Long", "task": task, "case": []}))
+    until(page, "workbench.exercises.name === 'long.json'")
+    click(page, "#exercise-link")
+    until(page, "document.getElementById('next').textContent.includes('characters, and 8\u202f000 are')")
 
 
 def test_from_a_radius_to_a_wall(page: Page) -> None:
@@ -514,10 +578,31 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     click(page, "#part-cut")
     assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
+    assert page.locator("#part-cut").get_attribute("disabled") is not None, "there is no tape any more"
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")
     page.evaluate("workbench.tabs.open('parts')")
     click(page, "#part-punch")
     until(page, f"{says}('for 1750 thousandths write 1.75')")
+
+
+_TYPED = """() => workbench.record.parts.map(({ name }) => {
+  const { parts } = workbench, places = "#part-options [name]";
+  parts.choose(name, {});
+  for (const field of document.querySelectorAll(places)) {
+    if (field.type === "checkbox") field.checked = !field.checked;
+    else field.value = field.matches("select") ? field.options[field.options.length - 1].value : "7";
+  }
+  const { typed } = parts, now = () => JSON.stringify(parts.typed);
+  parts.ask();
+  const before = now();
+  parts.choose(name, typed);
+  return [now() === JSON.stringify(typed), now() !== before];
+})"""
+
+
+def test_a_part_that_is_opened_has_all_options_as_they_were_typed(page: Page) -> None:
+    found = page.evaluate(_TYPED)
+    assert found == [[True, True]] * len(found)
 
 
 def test_a_circle_within_another_tolerance(page: Page) -> None:

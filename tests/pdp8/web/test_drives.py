@@ -49,6 +49,11 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
         " p.deposit(0o10000 | p.pc, 0o7041); workbench.show(); }"
     )
     assert "7041 CIA" in page.locator("[data-register=next]").inner_text(), "in field 1"
+    page.locator("#source").fill("FIELD 1\n*300\n\tHLT\n$\n")
+    click(page, "#run-it")
+    until(page, "document.getElementById('next').textContent.includes('START begins at 10301')")
+    page.locator("#save-as").select_option("rim")
+    assert "a RIM tape can name only 0000 to 7777" in page.locator("#next").inner_text()
 
 
 def test_a_file_that_is_no_reel_changes_nothing(browser: Browser, file: Path, tmp_path: Path) -> None:

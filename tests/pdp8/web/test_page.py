@@ -12,6 +12,7 @@ from pdp8.replay import Afternoon, clock
 from tests.pdp8.web import small
 from tests.pdp8.web.browsing import DESK, Page, click, in_chromium, until
 from tests.pdp8.web.follower import Follower, state
+from tests.pdp8.web.model import STALE
 from tests.pdp8.web.node import needs_node, plain
 
 
@@ -136,6 +137,10 @@ def test_every_key_works(page: Page, circle: Afternoon) -> None:
     for key, by in (("+", 1), ("-", 0), ("-", -1)):
         press(key)
         assert speed.evaluate("(select) => select.selectedIndex") == chosen + by
+    for key, end in (("-", 0), ("+", 10)):
+        for _ in range(12):
+            press(key)
+        assert speed.evaluate("(select) => select.selectedIndex") == end
     speed.select_option(index=1)  # a millionth, cycle by cycle
     before = _now(page)
     press(" ")
@@ -147,6 +152,19 @@ def test_every_key_works(page: Page, circle: Afternoon) -> None:
     page.locator("#units input[value=block]").focus()
     press("ArrowRight")
     assert (_now(page), unit.get_attribute("value")) == (before, "character")
+
+
+@needs_node
+def test_each_key_is_drawn_as_it_is_pressed_and_released(circle_page: Path, circle: Afternoon) -> None:
+    """Also where no lamp changes with it; and all else that is drawn is what is so (stale.mjs)."""
+    pressed = [action.at for action in circle.actions if action.key in ("load add", "dep", "start")]
+    ticks = [at + int(part * TICKS_PER_SECOND) for at in pressed[:6] for part in (0, 0.3, 0.5)]
+    ticks += [act.starts + by for act in circle.acts[1:] for by in (-1, 0)]
+    with small.visit(circle_page, DESK + "&t=0") as page:
+        page.evaluate(STALE)
+        for tick in ticks:
+            page.evaluate("(tick) => workbench.afternoon.go(tick)", tick)
+            assert page.evaluate("stale()") == [], clock(tick)
 
 
 _UNFIT = """() => {
@@ -277,6 +295,8 @@ def test_taken_over_and_brought_back(page: Page, circle: Afternoon) -> None:
     assert page.evaluate(clock) > before
     click(page, "#back", "[data-opens=debugger]")
     assert page.locator("#core input").first.input_value() == f"{circle.programs['eia.pal'].words[0o200]:04o}"
+    click(page, "[data-click='afternoon.back']", "#play", "#enter", "#leave")
+    assert page.locator("#play").inner_text() == "Play", "a play ends where one goes into the room"
 
 
 @in_chromium

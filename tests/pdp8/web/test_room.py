@@ -127,7 +127,9 @@ def test_the_switches_are_taken_and_given_back(room: Page) -> None:
     """By mouse and by keys the machine is the visitor's; back in the story it is as it was."""
     _to(room, _TRANSLATE, 0.2)
     before = room.evaluate("[workbench.machine.ac, workbench.machine.processor.sr]")
+    room.evaluate("() => { workbench.room.playing = true; }")
     click(room, "#take")
+    assert room.evaluate("workbench.machine.processor.run") == 1, "it runs on"
     room.keyboard.press("t")
     room.keyboard.type("1234l")
     processor = "workbench.machine.processor"
@@ -188,29 +190,35 @@ def test_the_machine_goes_on_where_pictures_are_slow(room: Page) -> None:
     until(room, f"workbench.machine.processor.clock > {before + TICKS_PER_SECOND}")
 
 
+_HELD = "[workbench.machine.processor.core[0o1000], workbench.machine.ac]"
+
+
 def test_what_was_worked_at_is_there_afterwards(room: Page) -> None:
-    """Who had a program in core when he went into the room finds it when he comes back."""
+    """Who had a program in core when he went into the room finds it when he comes back, by the switches, by
+    the desk or to write another, with the tape in its reader. The sound is one, at the desk and in the room.
+    """
+    click(room, "#hear", "#leave")
+    assert room.evaluate("document.getElementById('sound').checked")
+    click(room, "#sound")
+    room.evaluate("workbench.touch((machine) => { machine.load([[0o1000, 0o7402]]); machine.ac = 0o1234; })")
+    room.evaluate("workbench.teletype.mount('hello.pal')")
+    click(room, "#lever", "#punch-on", "#enter")
+    assert room.locator("#hear").inner_text() == "Sound off"
+    until(room, f"workbench.afternoon.on && ({_HELD})[1] !== 0o1234")
     click(room, "#leave")
-    room.evaluate("workbench.touch((machine) => { machine.load([[0o200, 0o7402]]); machine.ac = 0o1234; })")
-    click(room, "#enter")
-    until(room, "workbench.afternoon.on && workbench.machine.ac !== 0o1234")
-    click(room, "#leave")
-    assert room.evaluate("[workbench.machine.processor.core[0o200], workbench.machine.ac]") == [
-        0o7402,
-        0o1234,
-    ]
+    assert room.evaluate(_HELD) == [0o7402, 0o1234]
     assert not room.evaluate("workbench.afternoon.on")
-
-
-def test_keys_of_the_room(room: Page) -> None:
-    """Space plays and pauses, brackets lead from act to act, Escape to the desk."""
-    room.keyboard.press("Space")
-    assert not room.evaluate("workbench.room.playing")
-    for key, turn in (("]", 1), ("]", 2), ("[", 1), ("[", 0), ("[", 0)):
-        room.keyboard.press(key)
-        assert room.evaluate("workbench.room.tour.turn") == turn
-    room.keyboard.press("Escape")
-    assert not room.evaluate("workbench.room.open")
+    for sample, ways in ((0o4321, ["#leave"]), (0o2222, ["#take", "#take"])):
+        click(room, "#enter", "#take")
+        levers = "(({ reader, punch }) => [reader.on, punch.on])(workbench.machine.teletype)"
+        assert room.evaluate(levers) == [False, True], "else it would read the tape, or punch nothing"
+        room.evaluate("(word) => workbench.touch((machine) => { machine.ac = word; })", sample)
+        click(room, *ways)
+        assert room.evaluate(_HELD) == [0o7402, sample]
+    click(room, "#leave")
+    assert room.locator("#reader .name").inner_text().startswith("hello.pal")
+    click(room, "#enter", "#write")
+    assert room.evaluate(_HELD)[0] == 0o7402
 
 
 _FRAMES = """() => new Promise((done) => {
@@ -349,7 +357,10 @@ def test_sounds_come_at_their_events(room: Page) -> None:
 
 
 def test_a_name_is_punched_by_the_button_that_helps(room: Page) -> None:
-    """What is ringed is what is due: pressed, the next thing is said. Then each letter is a row of holes."""
+    """What is ringed is what is due: pressed, the next thing is said. Then each letter is a row of holes, at
+    whatever speed the desk goes.
+    """
+    room.evaluate("workbench.time.setSpeed(0.00001)")
     click(room, "#take")
     ringed = room.locator("#room .hand [aria-current]")
     for _ in range(40):
@@ -369,11 +380,13 @@ def test_a_name_is_punched_by_the_button_that_helps(room: Page) -> None:
     until(room, f"{_STORY}.startsWith('ADA 1: 5 rows')")
     punch = "[...workbench.machine.teletype.punch.frames]"
     assert room.evaluate(punch) == [0o301, 0o304, 0o301, 0o240, 0o261]
-    until(room, "workbench.room.page.paper.lines.at(-1) === 'ADA 1'")
+    for key in ("Backspace", "2"):  # what is taken out of the field stays on the tape
+        room.keyboard.press(key)
+    until(room, "workbench.room.page.paper.lines.at(-1) === 'ADA 12'")
     click(room, "#see")
     until(room, "document.querySelector('#tape').open")
-    assert room.locator("#tape img").get_attribute("alt") == "A paper tape with 5 rows of holes: ADA 1"
+    assert room.locator("#tape img").get_attribute("alt") == "A paper tape with 6 rows of holes: ADA 12"
     click(room, "#tape form button", "#turn")
     assert room.locator("#turn").inner_text() == "To the punch"
     click(room, "#take", "#take")
-    assert room.evaluate(punch) == [0o301, 0o304, 0o301, 0o240, 0o261]
+    assert room.evaluate(punch) == [0o301, 0o304, 0o301, 0o240, 0o261, 0o262]

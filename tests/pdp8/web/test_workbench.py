@@ -16,6 +16,7 @@ from pdp8 import shelf
 from pdp8.computer.past.state import restore
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.replay import Afternoon
+from tests.pdp8.web import small
 from tests.pdp8.web.browsing import (
     AXE,
     DESK,
@@ -28,6 +29,7 @@ from tests.pdp8.web.browsing import (
     until,
     visit,
 )
+from tests.pdp8.web.node import needs_node
 
 _QUICK = ("10 times faster", "a minute a second", "as fast as it goes")
 _HALTED = "!workbench.machine.processor.run"
@@ -71,6 +73,11 @@ def test_what_is_wrong_is_said_at_its_line(page: Page) -> None:
     click(page, "#run-it")
     _says(page, "10200")
     assert _registers(page, "run") == [0]
+    for nothing in ("", "A,\n$\n"):
+        _write(page, nothing)
+        assert page.locator("#load").get_attribute("disabled") is not None
+        click(page, "#run-it")
+        _says(page, "Not run: no words")
 
 
 def test_a_tape_is_loaded_as_an_operator_does(page: Page) -> None:
@@ -156,10 +163,71 @@ def test_a_key_with_a_modifier_is_the_browsers(page: Page) -> None:
     assert page.evaluate(_MODIFIED) == []
 
 
+_NAMED = """() => {
+  const wrong = [], seen = [], { room } = workbench, all = (at) => [...document.querySelectorAll(at)];
+  const named = ({ ariaLabel, dataset, id, value }) => id || dataset.key || ariaLabel || value;
+  const names = all("[aria-keyshortcuts]").map((each) => each.getAttribute("aria-keyshortcuts"));
+  const keys = [...new Set(names.flatMap((each) => each.split(" ")))];
+  const state = () => [workbench.machine.sr, room.tour?.turn].join();
+  addEventListener("click", (event) => {
+    seen.push(named(event.target));
+    event.preventDefault();
+    event.stopImmediatePropagation();
+  }, true);
+  const look = (scene, at, pressed, ...places) => {
+    for (const key of pressed) {
+      const before = state();
+      seen.length = 0;
+      document.activeElement.blur();
+      at.focus();
+      at.press(key === "Space" ? " " : key);
+      const due = key === "Space" && at.matches("button") ? [at]
+        : places.flatMap((place) => all(`${place} [aria-keyshortcuts~="${key}"]`));
+      const wanted = String(due.filter((each) => each.checkVisibility()).map(named));
+      const moved = !places.length && state() !== before;
+      if (String(seen) !== wanted || moved) wrong.push([scene, key, ...seen]);
+    }
+  };
+  const boxes = () => all("#room dialog").forEach((box) => {
+    box.showModal();
+    look(box.id, box.querySelector("button"), [...keys, ..."[]07+-", "Home", "End"]);
+    box.close();
+  });
+  look("the desk", document.body, [...keys, ..."[]"], "#time");
+  look("the panel", document.querySelector("#computer .rocker"), keys, "#computer");
+  for (const each of all("main button, #time button, header button").filter((button) => !button.disabled)) {
+    if (each.checkVisibility()) look(named(each), each, ["Space"]);
+  }
+  workbench.enter();
+  look("the story", document.body, keys, "#room .told");
+  boxes();
+  const { body } = document, field = document.getElementById("where");
+  room.go({ value: 0 });
+  const turns = [["["], ["]"], ["]", body, { ctrlKey: true }], ["]", field], ..."]]]]]]]]"].map(
+    ([key, at = body, more = {}]) => (at.press(key, more), room.tour.turn));
+  room.take();
+  look("the switches", document.body, keys, "#room .told", "#room .hand");
+  boxes();
+  for (let n = 0; n < 60 && !room.waits; n++) room.help();
+  look("the punch", document.body, keys, "#room .told");
+  return [room.waits, turns, wrong];
+}"""
+
+
+@needs_node
+def test_a_key_presses_what_names_it(file: Path) -> None:
+    """Where it is seen, and nothing behind a box; space the button that has the focus, and nothing else.
+
+    Brackets lead from act to act, as far as there are.
+    """
+    with small.visit(file, DESK) as page:
+        assert page.evaluate(_NAMED) == [True, [0, 1, 1, 1, *range(2, 8), 7, 7], []]
+
+
 def test_the_lamps_are_said_after_every_key(page: Page) -> None:
     """Also when the picture after it has come: the address, the word and the rest, not that it is stopped."""
-    click(page, "#in-words")
     page.locator("#computer .rocker").first.focus()
+    page.keyboard.type("w")
     for keys, said in (
         ("0200l", "memory address 0200, memory buffer 0000"),
         ("1234d", "memory address 0200, memory buffer 1234"),
@@ -193,7 +261,13 @@ def test_tab_goes_through_the_page(page: Page) -> None:
     source.click()
     page.keyboard.press("Control+Home")
     page.keyboard.press("Tab")
+    page.keyboard.press("Shift+Tab")
     assert source.input_value() == f"\t{before}"
+    page.evaluate("workbench.editor.lay('eia.pal')")
+    before = source.input_value()
+    source.click()
+    page.keyboard.press("Tab")
+    assert source.input_value() == before
 
 
 def test_run_until(page: Page) -> None:
@@ -214,6 +288,16 @@ def test_run_until(page: Page) -> None:
     cell.press("Enter")
     click(page, "#core th >> nth=0")
     assert page.evaluate("workbench.machine.processor.core[0o200]") == 0o1234
+    click(page, "[data-opens=program]")
+    _load(page, "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n")
+    click(page, "[data-opens=debugger]")
+    page.locator("#kind").select_option("address")
+    page.locator("#where").fill("377")
+    watched = []
+    for button in ("#until button", "[data-key=stop]", "#until button", "#forward"):
+        click(page, button)
+        watched.append(page.evaluate("[...workbench.machine.watch.breakpoints]"))
+    assert watched == [[0o377], [0o377], [0o377], []], "asked for again it is watched, after a step no more"
 
 
 @pytest.mark.parametrize("speed", ["1000 times slower", "100 times slower", "as in 1971", *_QUICK])
@@ -249,6 +333,11 @@ def test_a_wait_names_what_is_waited_for(page: Page) -> None:
     click(page, "[data-key=start]")
     _says(page, "The program waits for a key at 0200.")
     assert page.locator("#next button").all_inner_texts() == ["Type a character", "Choose a tape", "STOP"]
+    click(page, "#computer .enlarge", "#next button >> nth=0")
+    assert page.evaluate("document.activeElement.id + document.querySelector('main').className") == "paper"
+    click(page, "#computer .enlarge")
+    page.evaluate("workbench.mill.cut('circle.eia')")
+    assert page.locator("#mill").is_visible()
 
 
 def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
@@ -291,6 +380,8 @@ def test_a_screen_that_nobody_touches_begins_afresh(browser: Browser, circle_pag
                 page.clock.run_for(10_000)
             until(page, playing)
             assert page.evaluate("workbench.programs.names().includes('mine.pal')") is False
+        page.evaluate("localStorage['pdp8 program: own'] = 1; workbench.programs.remove('own');")
+        assert page.evaluate("localStorage['pdp8 program: own']") == "1", "it takes nothing away, either"
 
 
 _CHANGES = """() => new Promise((done) => {
@@ -376,6 +467,8 @@ def test_ticks_are_whole_at_every_speed(page: Page, speed: str) -> None:
     assert isinstance(restore(page.evaluate("window.kept")).processor.clock, int)
     until(page, _HALTED)
     assert page.evaluate("workbench.machine.elapsed") == 1.68185355
+    page.evaluate("workbench.take(new File([window.kept], 'a.state'))")
+    _says(page, "It was running when it was saved")
 
 
 def test_step_back_shows_what_happened(page: Page) -> None:
