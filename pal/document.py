@@ -197,8 +197,8 @@ class Document:
 
     def _symbol(self, name: str, tape: int) -> list[str]:
         if name not in self.assembly.symbols:
-            known = self.known.get(name)
-            return [f"`{meaning.of_name(name) or f'{name}: {known}'}`"] if known else []
+            known = next((each for each in self.known if each[:SIGNIFICANT] == name), "")
+            return [f"`{meaning.of_name(known) or f'{known}: {self.known[known]}'}`"] if known else []
         at = self.places(name, defined=True)[:1]
         where = f", defined in {self._line_of(at[0], tape)}" if at else ""
         used = len(self.places(name, defined=False))

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from pal.assembly import PAL3, PAL8
 from pal.diagnostics import Diagnostic
 from pal.document import Document, Span
 from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
@@ -18,7 +19,10 @@ from pal.pieces import comment
 _UNDEFINED = ("UA", "US")
 _ILLEGAL_REFERENCE = "IR"
 _MEANT = re.compile(r"did you mean ([A-Z0-9 ]+)\?")
-_ORIGIN = re.compile(r"[ \t]*(?:[*$]|(?:PAGE|FIELD)\b(?![ \t]*[,=]))")
+_ORIGINS = {
+    dialect: re.compile(rf"[ \t]*(?:[*$]|(?:{names})\b(?![ \t]*[,=]))")
+    for dialect, names in ((PAL3, "FIELD"), (PAL8, "FIELD|PAGE"))
+}
 _OPERAND = re.compile(r"[ \t]+([A-Za-z0-9]+)[ \t]*(?:;|$)")
 _LONGEST = 5
 """Characters of a name that follow the P in the name of its pointer."""
@@ -41,7 +45,7 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
     if found.code in _UNDEFINED and name[:1].isalpha():
         if span.start == 0 and text[span.end :][:1] in (" ", "\t"):
             yield Fix(f"Write {name}, as a tag", [(behind, ",")])
-        yield Fix(f"Define {name}", [(_end_of_page(document, span), f"{name},\t0\n")])
+        yield Fix(f"Define {name}", [_at_the_end_of_page(document, span, f"{name},\t0")])
     elif found.code == MEANT and (meant := _MEANT.search(found.message)):
         yield Fix(f"Write {meant[1]}", [(span, meant[1])])
     elif found.code == NOT_OCTAL and name.isdecimal():
@@ -66,12 +70,15 @@ def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
     pointer = f"P{operand[1][:_LONGEST].upper()}"
     if pointer not in document.assembly.symbols:
         place = span._replace(start=operand.start(1), end=operand.end(1))
-        word = (_end_of_page(document, span), f"{pointer},\t{operand[1]}\n")
+        word = _at_the_end_of_page(document, span, f"{pointer},\t{operand[1]}")
         yield Fix(f"Go through a pointer, {pointer}", [(place, f"I {pointer}"), word])
 
 
-def _end_of_page(document: Document, span: Span) -> Span:
-    """Return the end of this page's words: before the next origin or the $."""
-    lines = document.tapes[span.tape]
-    ends = (number for number in range(span.line + 1, len(lines)) if _ORIGIN.match(lines[number]))
-    return Span(span.tape, next(ends, len(lines) - 1), 0, 0)
+def _at_the_end_of_page(document: Document, span: Span, line: str) -> tuple[Span, str]:
+    """Return the edit that puts a line behind this page's words: before the next origin or the $."""
+    lines, origin = document.tapes[span.tape], _ORIGINS[document.dialect]
+    for number in range(span.line + 1, len(lines)):
+        if origin.match(lines[number]):
+            return Span(span.tape, number, 0, 0), f"{line}\n"
+    end = 0 if "$" in lines[-1] else len(lines[-1])
+    return Span(span.tape, len(lines) - 1, end, end), "\n" * (end > 0) + f"{line}\n"

@@ -247,7 +247,8 @@ class Answers:
                 symbol = self._symbol(document, each)
                 if each.name in routines:
                     last = routines[each.name].last
-                    end = lsp.Position(last, len(document.line(tape, last)))
+                    column = len(document.line(tape, last))
+                    end = self._range(document, Span(tape, last, column, column)).end
                     symbol.kind, symbol.children = lsp.SymbolKind.Function, []
                     symbol.range = lsp.Range(symbol.range.start, max(symbol.range.end, end))
                     outline.append(symbol)

@@ -4,6 +4,7 @@ A source belongs to the first program of the settings that lists it; any other i
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from os.path import abspath, join
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -28,7 +29,7 @@ class Workspace:
         """Set the programs: lists of tapes, as paths relative to `root`; other values name none."""
         lists = programs if isinstance(programs, list) else []
         self._programs = [
-            [(Path(root) / name).resolve().as_uri() for name in names]
+            [Path(abspath(join(root, name))).as_uri() for name in names]
             for names in lists
             if isinstance(names, list) and all(isinstance(name, str) for name in names)
         ]

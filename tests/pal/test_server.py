@@ -8,6 +8,7 @@ import json
 import random
 import re
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -97,6 +98,9 @@ def test_what_is_known_is_the_dialects() -> None:
     assert later.known["BSW"] == "7002, no instruction of a PDP-8/L"
     assert later.hover(0, 2, 2) == first.hover(0, 2, 2)
     assert later.hover(0, 1, 2).startswith("`1000  TAD: add the word")
+    for known in (first, later):
+        for name, _, said in known.completions(0, 1, 0):
+            assert said in one(f"\t{name}\n", known.dialect).hover(0, 0, 1), name
 
 
 DOCUMENT = """\
@@ -221,7 +225,7 @@ def test_a_place_behind_a_text_is_its_end() -> None:
     assert text.edited((2, 0), (9, 9), "C").content == "A\nBC"
 
 
-def test_a_program_is_of_the_tapes_that_settings_name() -> None:
+def test_a_program_is_of_the_tapes_that_settings_name(tmp_path: Path) -> None:
     workspace = Workspace("pal3", lambda uri: "*200\n\tTAD NIX\n")
     workspace.name_programs([["a.pal", "b/a.pal"], ["x", 5], 7, "yz"], "/tmp")
     tapes = [f"{FOLDER}/a.pal", f"{FOLDER}/b/a.pal"]
@@ -235,6 +239,10 @@ def test_a_program_is_of_the_tapes_that_settings_name() -> None:
     assert {each.file for each in document.assembly.diagnostics} == {"a.pal", "b.pal"}
     workspace.name_programs({"programs": [["a.pal"]]}, "/tmp")
     assert workspace.tapes(tapes[0]) == tapes[:1]
+    (tmp_path / "way").symlink_to(tmp_path, target_is_directory=True)
+    workspace.name_programs([["a.pal", "../way/b.pal"]], f"{tmp_path}/way")
+    tapes = [(tmp_path / "way" / name).as_uri() for name in ("a.pal", "b.pal")]
+    assert workspace.tapes(tapes[0]) == tapes, "an editor does not follow links"
 
 
 class Asked:
@@ -305,7 +313,7 @@ def test_another_dialect_is_offered_for_what_has_an_error() -> None:
 def test_what_is_within_a_subroutine_is_below_it_in_the_outline() -> None:
     """Each tag and value of its lines, the first and the last ones too, and no other."""
     sources = [shelf.read_bundled(name).decode() for name in shelf.bundled() if name.endswith(".pal")]
-    for text in (*sources, "*200\nX,\tJMS A\n\tHLT\nA,\t0; P=1\nR,\tCLA\nB,\tJMP I A; Q=2\nC,\t5\n$\n"):
+    for text in (*sources, "*200\nX,\tJMS A\n\tHLT\nA,\t0; P=1\nR,\tCLA\nB,\tJMP I A; Q=2 /😀\nC,\t5\n$\n"):
         outline = Asked(a=text)(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
         routines = [each for each in outline if each.kind == lsp.SymbolKind.Function]
         for each in (each for each in outline if each not in routines):
@@ -315,6 +323,8 @@ def test_what_is_within_a_subroutine_is_below_it_in_the_outline() -> None:
         for of in routines:
             lines = [each.range.start.line for each in of.children]
             assert all(of.range.start.line <= line <= of.range.end.line for line in lines), of.name
+            end = of.range.end
+            assert end.character == len(Text(text).lines[end.line].encode("utf-16-le")) / 2, of.name
         names = [each.name for of in outline for each in (of, *(of.children or ()))]
         assert sorted(names) == sorted(one(text).written(each.name) for each in one(text).definitions)
 
@@ -499,10 +509,33 @@ def test_a_pointer_is_offered_unless_its_name_is_taken() -> None:
         assert len([*fixes(document, 0, found)]) == offered
 
 
-@pytest.mark.parametrize(("words", "line"), [("*200; JMP FAR", 1), ("*200\n\tCLA\n\tJMP FAR\nA,\t0", 4)])
-def test_a_pointer_lies_before_the_next_origin(words: str, line: int) -> None:
-    """The line of the reference itself, which may have an origin, does not end its page."""
-    document = one(f"{words}\n*400\nFAR,\tHLT\n$\n")
-    (found,) = (each for each in document.found(0) if each.code == "IR")
-    ((_, edits),) = fixes(document, 0, found)
-    assert edits[-1][0].line == line
+PAGES = (
+    "*200\n{}\n\tHLT\n*400\nFAR,\tHLT\n$\n",
+    "*200\n{}\n\tHLT\nPAGE\nFAR,\tHLT\n$\n",
+    "*400\nFAR,\tHLT\n*200\n{}\nPAGE,\tCLA\n\tHLT\n$\n",
+    "*400\nFAR,\tHLT\n*200; {}\n\tHLT\n$\n",
+    "*400\nFAR,\tHLT\n*200\n{}\n\tHLT",
+    "*400\nFAR,\tHLT\n*200\n\tHLT\n{}",
+)
+"""Where the page of a line ends: at an origin, at PAGE, which may be a tag, at the $, at nothing."""
+
+
+@pytest.mark.parametrize("dialect", ["pal3", "pal8"])
+def test_what_is_offered_mends_the_line_and_moves_no_other(dialect: str) -> None:
+    for page, line in product(PAGES, (*FIXES, "\tTAD NIX")):
+        before = one(page.format(line.replace("\x7f", "")), dialect)
+        words, said = before.assembly.words, [each.code for each in before.found(0)]
+        for found in before.found(0):
+            own = {each.address for each in before.assembly.lines if each.number == found.line}
+            for title, edits in fixes(before, 0, found):
+                with case(page, line, title):
+                    text = before.texts[0]
+                    for span, new in sorted(edits, reverse=True):
+                        text = text.edited((span.line, span.start), (span.line, span.end), new)
+                    after = one(text.content, dialect)
+                    left = [each.code for each in after.found(0)]
+                    assert left.count(found.code) < said.count(found.code)
+                    assert {code for code in left if code[:2] == "PN"} <= {*said, "PN36"}
+                    if found.code != NO_SLASH:
+                        there = after.assembly.words.items()
+                        assert {(at, word) for at, word in words.items() if at not in own} <= {*there}
