@@ -76,7 +76,7 @@ def sources() -> Iterator[tuple[str, str, str]]:
 
 
 def test_what_is_said_of_a_mistake_is_said_wherever_it_is_written() -> None:
-    """On a second tape; its lines on one, but for tags at the margin; and nothing of it behind the `$`."""
+    """On a second tape and on two; its lines on one, but for tags at the margin; nothing behind the `$`."""
 
     def said(dialect: str, *tapes: str, but: str) -> list[tuple[str, str]]:
         found = pal.assemble(*tapes, dialect=dialect).diagnostics
@@ -90,6 +90,12 @@ def test_what_is_said_of_a_mistake_is_said_wherever_it_is_written() -> None:
             here = said(dialect, text + "$\n", but="PN36 PN55")
             if "value for no symbol" not in title:
                 assert said(dialect, "\n", text + "$\n", but="PN36 PN55") == here
+            lines = text.split("\n")
+            pauses = [at for at, line in enumerate(lines, 1) if line.strip() == "PAUSE"]
+            cut = pauses[0] if pauses else len(lines) // 2
+            tapes = "\n".join([*lines[:cut], ""]), "\n".join([*lines[cut:], "$\n"])
+            parted = [code for code, _ in said(dialect, *tapes, but="PN36 PN55")]
+            assert parted == [code for code, _ in here if code != "PN48"], "PAUSE ends a tape there"
             if "/" not in text and "tag without" not in title:
                 joined = text.rstrip("\n").replace("\n", ";") + "\n$\n"
                 codes = [code for code, _ in said(dialect, joined, but="PN36 PN55")]
