@@ -223,7 +223,7 @@ def remember(path: str) -> None:
 def read_text(name: str, most: int = LARGEST) -> str:
     """Return the text of a file as `read` does, without a byte order mark. Raises ShelfError if not UTF-8."""
     try:
-        return read(name, most).decode("utf-8-sig")
+        return read(name, most).decode().removeprefix("\ufeff")
     except UnicodeDecodeError as error:
         raise ShelfError(f"{called(name)}: byte {error.start}: not UTF-8") from error
 

@@ -44,7 +44,10 @@ def convert(
     if target == OCTAL:
         return octal.decode(content).encode()
     if isinstance(code, Words) and target in spelled.FORMATS:
-        return spelled.FORMATS[target].spell(_words(code, content, force)).encode()
+        words = _words(code, content, force)
+        if not words:
+            raise TapeError("no word to spell out")
+        return spelled.FORMATS[target].spell(words).encode()
     made = codes.named(target)
     title = b""
     if isinstance(code, Characters):
@@ -92,8 +95,11 @@ def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[byte
 def typed(content: bytes) -> str:
     r"""Return the text of a file, its lines ended by "\n". Raises TextError where it is not UTF-8."""
     try:
-        text = content.decode("utf-8-sig")
+        return _with_line_feeds(content)
     except UnicodeDecodeError as error:
-        found = f"byte {content[error.start]:03o} is no text"
-        raise TextError(found, content.decode("latin-1"), error.start) from None
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+        before = _with_line_feeds(content[: error.start])
+        raise TextError(f"byte {content[error.start]:03o} is no text", before, len(before)) from None
+
+
+def _with_line_feeds(content: bytes) -> str:
+    return content.decode().removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")

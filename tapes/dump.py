@@ -15,6 +15,8 @@ from tapes.spelled import is_number
 from tapes.text import in_ascii, lines_of
 
 _FEWEST = 8
+_FARTHEST = 1 << 24
+"""Frames from the first address to another, which * may fill."""
 _DRAWN = 9  # columns: eight channels and the sprocket hole
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
@@ -167,8 +169,10 @@ def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
         at = int(row.address, base=base)
         first = at if first < 0 else first
         at -= first
-        while repeats and last and len(placed) < at:
-            placed += last
+        if at > _FARTHEST:
+            return b""
+        if repeats and last and len(placed) < at:
+            placed += last * -((len(placed) - at) // len(last))
         if not row.numbers:
             return placed[:at] if at in (len(placed), len(placed) - 1) else b""
         if at != len(placed):

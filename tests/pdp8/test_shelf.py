@@ -111,8 +111,8 @@ def test_what_cannot_be_written_leaves_what_was_there(
 
 
 def test_what_cannot_be_read_or_written_is_named() -> None:
-    Path("x").write_bytes(b"A\xc4B")
-    with pytest.raises(ShelfError, match="x: byte 1: not UTF-8"):
+    Path("x").write_bytes(b"\xef\xbb\xbfA\xc4B")
+    with pytest.raises(ShelfError, match="x: byte 4: not UTF-8"):
         shelf.read_text("x")
     with pytest.raises(ShelfError, match="-: standard output has what is said"):
         shelf.leave("-", b"x", "tape")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tapes import ascii, binary, eia, rim
+from tapes import ascii, binary, eia, rim, spelled
 from tapes.convert import convert, typed
 from tapes.errors import TextError, WorkError
 from tests.conftest import assert_same_tape
@@ -45,6 +45,7 @@ def test_the_fill_is_punched_again() -> None:
         (FORMAT_BIN, "bin", "text", "a BIN tape cannot become text; octal takes any tape"),
         (TEXT.encode(), "text", "bin", "text cannot become bin"),
         (binary.encode({0o10000: 1}), "bin", "rim", "address 10000: a RIM tape can name only 0000 to 7777"),
+        *((binary.encode({}), "bin", target, "no word to spell out") for target in spelled.FORMATS),
     ],
 )
 def test_what_cannot_be(content: bytes, source: str, target: str, message: str) -> None:
@@ -54,8 +55,9 @@ def test_what_cannot_be(content: bytes, source: str, target: str, message: str) 
 
 def test_typed_text_with_any_line_ends() -> None:
     assert typed(b"\xef\xbb\xbfA\r\nB\rC\n") == "A\nB\nC\n"
-    with pytest.raises(TextError, match="line 2, column 3: byte 377 is no text"):
-        typed(b"AB\nCD\xff\n")
+    for before in ("AB\nCD", "AB\rCD", "\ufeffÄ\r\nCÉ"):
+        with pytest.raises(TextError, match="line 2, column 3: byte 377 is no text"):
+            typed(before.encode() + b"\xff\n")
 
 
 def test_two_splices_are_left_out() -> None:

@@ -44,6 +44,11 @@ def test_what_other_tools_write(command: str) -> None:
             assert lost.note.endswith("do not follow one another: is a line missing?")
 
 
+def test_an_address_is_no_reason_to_fill_up_memory() -> None:
+    found = dump.found(b"00: " + b"8081 " * 8 + b"\n*\nffffffffffff0000: " + b"8283 " * 8)
+    assert found == dump.Dump("hexadecimal", b"\x80\x81" * 8 + b"\x82\x83" * 8, gap=True)
+
+
 @pytest.mark.parametrize("name", ["circle.asc", "circle.eia", "eia.bin", "eia.pal", "hello.pal"])
 def test_what_is_no_dump(name: str) -> None:
     assert dump.found(shelf.read(name)) is None
