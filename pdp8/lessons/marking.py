@@ -301,7 +301,8 @@ def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:
         places = len(seen.callers.get(answer.address(place), ()))
         if places < times:
             yield Failure(place, f"called from {times} places at least", f"called from {places}")
-    if whole.indirect and not any(answer.address(place) in seen.pointers for place in whole.indirect):
+    pointers = [answer.address(place) for place in whole.indirect if trial.has(answer, place)]
+    if whole.indirect and not any(address in seen.pointers for address in pointers):
         wanted = f"{whole.indirect[0]} to {whole.indirect[-1]}"
         yield Failure("the pointer", f"a word of {wanted}, used by I", "none of them")
 

@@ -72,23 +72,24 @@ class Looks:
 
 def missing(answer: Answer, trial: Trial) -> str:
     """Return the first tag that the trial uses and the answer does not have, "" if there is none."""
-    if not any(_has(answer, place) for place in trial.start):
+    if not any(has(answer, place) for place in trial.start):
         return trial.start[0]
     pointers = [word for word in trial.deposit.values() if isinstance(word, str)]
     places = [*trial.deposit, *pointers, *trial.core, *trial.changed, *trial.unchanged, *trial.executed]
     for place in [*places, *trial.callers]:
-        if not _has(answer, place):
+        if not has(answer, place):
             return tag(place)[0]
     return next((name for name in (missing(answer, each) for each in trial.again) if name), "")
 
 
-def _has(answer: Answer, place: str) -> bool:
+def has(answer: Answer, place: str) -> bool:
+    """Tell whether an answer has a place: an address, or a tag of its own."""
     return place[0].isdigit() or tag(place)[0] in answer.symbols
 
 
 def start(answer: Answer, trial: Trial) -> int:
     """Return the address at which to start: of the trial's places, the first one that the answer has."""
-    return next(answer.address(place) for place in trial.start if _has(answer, place))
+    return next(answer.address(place) for place in trial.start if has(answer, place))
 
 
 def run(answer: Answer, trial: Trial) -> list[Outcome]:
