@@ -24,6 +24,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program
 from pdp8.monitor import rack, tapes
 from pdp8.monitor.commands import do
+from pdp8.monitor.debugging import set_
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 
@@ -89,7 +90,7 @@ class Launch:
             monitor.machine.load(found.words)
         if self.reader:
             tapes.reader(monitor, *self.reader)
-        monitor.machine.sr = monitor.address(self.sr)
+        set_(monitor, "sr", self.sr)
         for line in self.commands:
             do(monitor, line)
         monitor.machine.panel.stop()

@@ -5,7 +5,6 @@ as the protocol has it: word 0200 is 0x0100. Its octal address is in the instruc
 """
 
 import base64
-import binascii
 import struct
 
 from pdp8.computer.use.trace import instruction
@@ -32,7 +31,7 @@ def write_memory(debuggee: Debuggee, arguments: Body) -> Body:
     """Put bytes into core; return how many. Raises WorkError, and then writes none."""
     try:
         given = base64.b64decode(arguments["data"], validate=True)
-    except binascii.Error as error:
+    except ValueError as error:
         raise WorkError(f"the bytes to write are not in base64: {error}") from error
     core = debuggee.monitor.machine.core
     content, start = bytearray(_bytes(debuggee)), _first(arguments)

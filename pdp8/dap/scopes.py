@@ -90,7 +90,7 @@ def set_variable(debuggee: Debuggee, arguments: Body) -> Body:
     if number == REGISTERS:
         debugging.set_(monitor, name.lower().replace(" ", "_"), value)
     elif number == SYMBOLS:
-        monitor.machine.core[monitor.address(name)] = monitor.address(value)
+        _deposit(monitor, name, value)
     elif number >= _PARTS:
         path, part = _part(monitor.machine, number)
         monitor.machine.put({f"{path} {name}": _given(name, part.fields.get(name), value)})
@@ -139,8 +139,12 @@ def set_expression(debuggee: Debuggee, arguments: Body) -> Body:
     if debugging.is_register(monitor, name):
         debugging.set_(monitor, name, value)
     else:
-        monitor.machine.core[monitor.address(name)] = monitor.address(value)
+        _deposit(monitor, name, value)
     return {"value": _value_of(monitor, name)["result"]}
+
+
+def _deposit(monitor: Monitor, name: str, value: str) -> None:
+    monitor.machine.core[monitor.address(name)] = octal(f"{monitor.address(value):o}")
 
 
 def set_lines(debuggee: Debuggee, arguments: Body) -> Body:

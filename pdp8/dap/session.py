@@ -97,9 +97,11 @@ class Session:
             else:
                 self._receive()
         if self._room is not None:
-            self._room.take_off()
-            if not self._finished:
-                rack.leave(self._room.monitor)
+            try:
+                self._room.take_off()
+            finally:
+                if not self._finished:
+                    rack.leave(self._room.monitor)
 
     def _receive(self) -> None:
         """Answer the next message; one that is not an object is said and passed over."""
@@ -149,7 +151,9 @@ class Session:
         if name not in _OF_THE_MACHINE:
             raise WorkError(f"{name}: this debugger has no such request")
         debuggee = self._loaded
-        moment = debuggee.moment
+        moment, watch = debuggee.moment, debuggee.monitor.machine.watch
+        watch.written.clear()  # a command may step or go back, unwatched
+        watch.read.clear()
         try:
             return _OF_THE_MACHINE[name](debuggee, arguments)
         finally:
@@ -250,8 +254,10 @@ class Session:
 
     def _goto(self, arguments: Body) -> None:
         """Go on from another address: set the PC."""
-        debuggee = self._standing
-        debuggee.monitor.machine.pc = arguments["targetId"]
+        debuggee, target = self._standing, arguments["targetId"]
+        if not 0 <= target < debuggee.monitor.machine.memory:
+            raise WorkError(f"{target:o}: no address of core")
+        debuggee.monitor.machine.pc = target
         self._moved(Halt("goto"))
 
     def _pause(self, arguments: Body) -> None:

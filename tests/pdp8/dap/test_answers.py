@@ -3,6 +3,7 @@
 import base64
 import os
 import re
+from contextlib import nullcontext
 from io import BytesIO
 from itertools import cycle
 from pathlib import Path
@@ -256,11 +257,11 @@ def test_a_program_may_have_words_in_all_of_core(tmp_path: Path) -> None:
             Launch.of({"program": program}).ready(lambda line: None)
 
 
-@pytest.mark.parametrize("end", ["terminate", "disconnect", "restart", "launch"])
+@pytest.mark.parametrize("end", ["terminate", "disconnect", "restart", "launch", ""])
 def test_what_a_machine_leaves_is_saved_however_it_ends(
     end: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The tape in its punch, and a reel that was written and not saved."""
+    """The tape in its punch, and a reel that was written and not saved, even where the tape cannot be."""
     monkeypatch.chdir(tmp_path)
     reel.file(tmp_path / "reel.tu56")
     given = {"program": "hello.pal", "punch": "out", "dectape": ["0=reel.tu56"]}
@@ -270,11 +271,14 @@ def test_what_a_machine_leaves_is_saved_however_it_ends(
     monitor.machine.teletype.punch.frames += b"X"
     place: Any = monitor.reels.places["dt0"]
     place.drive.write(5, 7, 1)
-    session._requests[end](given if end == "launch" else {})
+    session._requests[end or "disconnect"](given if end == "launch" else {})
     for action in session._after:
         action()
-    session.serve()
-    assert Path("out").read_bytes() == b"X"
+    if not end:
+        Path("out").mkdir()
+    with nullcontext() if end else pytest.raises(WorkError):
+        session.serve()
+    assert not end or Path("out").read_bytes() == b"X"
     assert [each.name for each in tmp_path.glob("*changed*")] == ["reel-changed.tu56"]
 
 

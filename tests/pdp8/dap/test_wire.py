@@ -1,15 +1,17 @@
 """What is no message, and requests that no editor should send: an answer each, and no traceback."""
 
 import json
+import random
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import fields as fields_of
 from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from pdp8.dap import session
+from pdp8.dap import requests, session
 from pdp8.dap.breakpoints import Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
@@ -69,6 +71,40 @@ def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPat
     failed, *rest = [each for each in spoken(out.getvalue()) if each.get("command") in ("scopes", "threads")]
     assert failed["message"] == "scopes: a fault of the debugger, please report it: KeyError('body')"
     assert [each["success"] for each in rest] == [True]
+
+
+ODD: dict[type, list[Any]] = {
+    int: [-1, 0, 1, 3, 100, 0o20000, 1 << 40],
+    str: ["", " ", "-1", "X", "12345", "77777", "0x4001", "core[", "é", "a=b", "AC", "repl"],
+    bool: [False, True],
+    dict: [{}, {"path": ""}, {"sourceReference": 9}],
+}
+"""Values that a protocol's types allow: those of a machine of 8K, below them and beyond."""
+
+
+def test_a_value_of_the_right_type_is_never_a_fault_of_the_debugger(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In what any request needs or may have, in each breakpoint, in each field of a configuration."""
+    monkeypatch.chdir(tmp_path)
+    Path("x.pal").write_text("FIELD 1\n*200\nX,\t0\n\tHLT\n$\n")
+    launch = {"program": "x.pal", "memory": "8k", "start": "10201", "stopOnEntry": True}
+    draw = random.Random(8)
+
+    def odd(name: str) -> Any:
+        if name == "breakpoints":
+            return [{each: odd(each) for each in (*requests._OF_EACH.values(), "condition", "hitCondition")}]
+        return draw.choice(ODD[requests._TYPES[name]])
+
+    asked: list[tuple[str, dict[str, Any]]] = [("launch", launch), ("configurationDone", {})]
+    for name, needed in requests._NEEDED.items():
+        for _ in range(24):
+            more = draw.sample(sorted(requests._TYPES), 3)
+            asked.append((name, {each: odd(each) for each in (*needed, *more)}))
+    for field in fields_of(Launch):
+        values = ODD.get(type(field.default), ODD[str])
+        asked += [("launch", launch | {field.name: value}) for value in draw.choices(values, k=4)]
+    assert [each for each in held(*asked) if "a fault of the debugger" in str(each)] == []
 
 
 PROTOCOL = NPM / "node_modules/@vscode/debugprotocol/lib/debugProtocol.d.ts"
@@ -163,6 +199,21 @@ def test_a_pause_while_the_machine_stands_is_not_remembered() -> None:
     *_, stepped, at = [each for each in heard if each.get("command") == "evaluate"]
     assert len(stepped["body"]["result"].splitlines()) == 3
     assert at["success"]
+
+
+def test_a_command_that_moves_the_machine_is_not_stopped_by_what_was_used_before(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(Wire, "holds", False)
+    monkeypatch.chdir(tmp_path)
+    Path("x.pal").write_text("*200\n\tDCA W\n\tISZ W\n\tCLA\n\tCLA\n\tHLT\nW,\t0\n$\n")
+    points = ("setDataBreakpoints", {"breakpoints": [{"dataId": "W", "accessType": "readWrite"}]})
+    launch = ("launch", {"program": "x.pal", "stopOnEntry": True})
+    for lines, reasons in ((["back 1"], ["pause"]), (["step", "cycle"], ["pause"] * 2), (["run"], ["halt"])):
+        go = ("continue", {"threadId": 1})
+        heard = held(launch, points, ("configurationDone", {}), go, go, *map(console, lines))
+        stops = [each["body"]["reason"] for each in heard if each.get("event") == "stopped"]
+        assert stops == ["entry", "data breakpoint", "data breakpoint", *reasons], lines
 
 
 def test_a_program_that_waits_is_told_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
