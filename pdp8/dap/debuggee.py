@@ -122,8 +122,8 @@ class Debuggee:
         points, machine, watched = self.breakpoints, self.monitor.machine, Watch()
         points.put_into(watched)
 
-        def stops() -> bool:
-            return bool(points.stopped(machine))
+        def stops(of_words: bool) -> bool:
+            return any((point.kind == DATA) == of_words for point in points.stopped(machine))
 
         stopped = motion.back_to(self.monitor.history, watched, stops, look)
         self.monitor.went_back()

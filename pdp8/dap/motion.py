@@ -74,7 +74,7 @@ def out(machine: Machine) -> Goal:
 
 
 def back_to(
-    history: History, watched: Watch, stops: Callable[[], bool] | None = None, look: Look | None = None
+    history: History, watched: Watch, stops: Callable[[bool], bool] | None = None, look: Look | None = None
 ) -> bool:
     """Undo as far as the last stop, as rewind.until_stopped does; else all. Returns whether there was one."""
     try:

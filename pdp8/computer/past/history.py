@@ -15,7 +15,7 @@ Not undone: what has left the machine, such as a frame that an `on_frame` passed
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from pal.isa import BREAK
 from pdp8.computer.hardware.fields import Values, changed, size, walk
@@ -219,6 +219,12 @@ class History:
     def snapshots(self) -> list[_Mark]:
         """Return the snapshots, the newest first."""
         return [mark for mark in reversed(self._marks) if mark.whole]
+
+    def kept(self, name: str) -> Iterator[tuple[int, Any]]:
+        """Yield each value of `name` that is kept, after so many instructions, the newest first."""
+        for mark in reversed(self._marks):
+            if name in mark.values:
+                yield mark.instructions, mark.values[name]
 
     def go_to_instruction(self, number: int) -> None:
         """Go to the last moment at which the machine had done this number of instructions."""

@@ -41,16 +41,16 @@ def seconds(history: History, time: float) -> None:
 
 def cycles(history: History, count: int = 1) -> None:
     """Undo `count` memory cycles; the machine may then stand within an instruction."""
-    _check(count, history.instructions, "cycles")
     machine = history.machine
     now = machine.processor.clock
     with history.going_back():
-        history.go_to_instruction(machine.instructions - count)
+        history.go_to_instruction(machine.instructions - min(count, history.instructions))
         start = machine.values()
         done = 0
         while machine.processor.clock < now:
             machine.processor.cycle()
             done += 1
+        _check(count, done, "cycles")
         machine.put(start)
         for _ in range(done - count):
             machine.processor.cycle()
@@ -58,12 +58,12 @@ def cycles(history: History, count: int = 1) -> None:
 
 def characters(history: History, count: int = 1) -> None:
     """Undo as far as before the last `count` frames that the Teletype printed."""
-    _before(history, lambda machine: len(machine.teletype.printer.frames), count, "characters")
+    _before(history, "printer", history.machine.teletype.printer.frames, len, count, "characters")
 
 
 def blocks(history: History, count: int = 1) -> None:
     """Undo as far as before the last `count` ends of block, 200, that the Teletype punched."""
-    _before(history, lambda machine: machine.teletype.punch.frames.count(EOB), count, "blocks")
+    _before(history, "punch", history.machine.teletype.punch.frames, _ends, count, "blocks")
 
 
 def until_left(history: History, address: int) -> None:
@@ -84,26 +84,27 @@ def until_stopped(
     history: History,
     watched: Watch,
     otherwise: str,
-    stops: Callable[[], bool] | None = None,
+    stops: Callable[[bool], bool] | None = None,
     look: Callable[[float], None] | None = None,
 ) -> None:
-    """Undo to the last breakpoint or watched write at which `stops` holds; `look` is told the part searched,
-    0 to 1, and may raise to leave the machine as it was.
+    """Undo to the last breakpoint, or use of a watched word (True), at which `stops` holds; `look` gets the
+    part searched, 0 to 1, and may raise to leave the machine as it was.
     """
+
+    def holds(of_words: bool) -> bool:
+        return stops is None or stops(of_words)
 
     def step(machine: Machine, clock: int) -> list[int]:
         watch = machine.watch
         watch.breakpoints, watch.writes, watch.reads = watched.breakpoints, watched.writes, watched.reads
-        watch.written.clear()
-        watch.read.clear()
         found: list[int] = []
-        if machine.pc in watch.breakpoints and machine.processor.next == FETCH and (not stops or stops()):
+        if machine.pc in watch.breakpoints and machine.processor.next == FETCH and holds(False):
             found.append(machine.instructions)
-        if _run_to(machine, clock) is Reason.BREAKPOINT and (not stops or stops()):
-            if watch.called(machine.processor):
-                found.append(machine.instructions)
-            elif watch.reached:
+        if _run_to(machine, clock) is Reason.BREAKPOINT:
+            if (watch.written or watch.read) and holds(True):
                 found.append(machine.instructions - 1)
+            if watch.called(machine.processor) and holds(False):
+                found.append(machine.instructions)
         return found
 
     _search(history, step, otherwise, look)
@@ -176,29 +177,34 @@ def _check(count: float, most: float, what: str) -> None:
         )
 
 
-def _before(history: History, counted: Callable[[Machine], int], count: int, what: str) -> None:
-    """Go to the last moment at which the count was `count` lower than now."""
-    machine = history.machine
-    _check(count, counted(machine), what)
+def _ends(frames: bytes) -> int:
+    return frames.count(EOB)
+
+
+def _before(
+    history: History, part: str, frames: bytearray, counted: Callable[[bytes], int], count: int, what: str
+) -> None:
+    """Go to the last moment at which the frames counted were `count` fewer than now."""
+    now = counted(bytes(frames))
+    _check(count, now, what)
     if count == 0:
         return
-    fewer = counted(machine) - count + 1
-    above = machine.instructions
+    fewer = now - count + 1
+    below, above = -1, history.machine.instructions
     with history.going_back():
-        for mark in history.snapshots():
-            history.go_to_instruction(mark.instructions)
-            if counted(machine) < fewer:
+        for number, then in history.kept(f"devices 04 {part} frames"):  # a tape that is taken off has none
+            if counted(then) < fewer:
+                below = number
                 break
-            above = mark.instructions
-        if counted(machine) >= fewer:
+            above = number
+        if below < 0:
             raise HistoryError(
                 f"{count:,} {_units(count, what)} cannot be undone: the history does not go back so far"
             )
-        below = machine.instructions
         while above - below > 1:
             middle = (below + above) // 2
             history.go_to_instruction(middle)
-            below, above = (below, middle) if counted(machine) >= fewer else (middle, above)
+            below, above = (below, middle) if counted(bytes(frames)) >= fewer else (middle, above)
         history.go_to_instruction(below)
 
 

@@ -1,7 +1,9 @@
 """Steps and calls, against what is seen when every instruction is watched."""
 
 import copy
+import random
 from collections.abc import Callable
+from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -12,10 +14,8 @@ from pal.isa import JMP
 from pdp8 import shelf
 from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
-from pdp8.computer.past.history import History
-from pdp8.computer.watch import Watch
 from pdp8.dap import calls, motion
-from pdp8.dap.breakpoints import ADDRESSES, Breakpoints
+from pdp8.dap.breakpoints import ADDRESSES, DATA, Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.scopes import stack_trace
@@ -98,23 +98,30 @@ def test_an_interrupt_is_stepped_into_and_over() -> None:
     assert machine.pc == interrupted
 
 
-def test_back_goes_through_the_stops_of_the_way_out() -> None:
-    machine = machine_with("pointed.pal")
-    history = History(machine)
-    watched = Watch()
-    watched.breakpoints, watched.writes = {0o201, 0o202, 0o203}, {0o10, 0o207}
+@pytest.mark.parametrize("seed", range(6))
+def test_back_goes_through_the_stops_of_the_way_out(seed: int, tmp_path: Path) -> None:
+    """Breakpoints of all kinds, drawn, some on a condition; of a word it stops before what used it."""
+    draw = random.Random(seed)
+    debuggee = began((FOLDER / "pointed.pal").read_text(), tmp_path)
+    machine, points = debuggee.monitor.machine, debuggee.breakpoints
+    code, data = range(0o200, 0o207), (0o10, 0o203, 0o207)
+    for kind, key, places in ((ADDRESSES, "name", code), (DATA, "dataId", data)):
+        asked: list[tuple[object, dict[str, str]]] = []
+        for place in draw.sample(places, 3):
+            point = {key: f"{place:o}", "accessType": draw.choice(["read", "write", "readWrite"])}
+            point["condition"] = draw.choice(["", "", "core[207] & 1", "!(core[207] & 1)", "AC > 0"])
+            point |= draw.choice([{}, {}, {}, {"hitCondition": "% 3"}, {"logMessage": "{AC}"}])
+            asked.append((place, point))
+        points.put(debuggee.monitor, debuggee.places, kind, "", asked)
+    points.put_into(machine.watch)
     forwards = set()
-    for number in range(100):
-        here, before = machine.pc, [machine.core[address] for address in sorted(watched.writes)]
-        if here in (0o201, 0o202):
-            forwards.add(number)
-        machine.run(instructions=1)
-        if here == 0o201:  # JMS 203
-            forwards.add(number + 1)
-        if [machine.core[address] for address in sorted(watched.writes)] != before:
-            forwards.add(number)
+    for number, used in product(range(60), (False, True)):
+        if used:
+            machine.run(instructions=1)
+        those = [point for point in points.hit(machine) if (point.kind == DATA) == used]
+        forwards |= {number for point in those if point.stops(machine.instructions, [])}
     backwards = []
-    while motion.back_to(history, watched):
+    while debuggee.back_to(lambda part: None).reason != "entry":
         backwards.append(machine.instructions)
     assert backwards == sorted(forwards, reverse=True)
 

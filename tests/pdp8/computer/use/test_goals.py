@@ -100,12 +100,6 @@ def test_a_run_says_why_it_ended(ticks: int) -> None:
         assert ended == reason
 
 
-def test_what_was_watched_before_is_watched_on(printing: Machine) -> None:
-    printing.watch.breakpoints.add(0o205)
-    goals.until(printing, "address", 0o205).over()
-    assert printing.watch.breakpoints == {0o205}
-
-
 def test_a_word_that_stays_the_same_is_no_goal(printing: Machine) -> None:
     """0211 is written eight times with the same word: the program runs to its end."""
     printing.core[0o211] = 0o301
