@@ -224,6 +224,13 @@ def test_select_errors() -> None:
         assert command(m, GO | function)[0] == 0o4400
 
 
+def test_a_change_of_unit_direction_or_go_and_no_other_is_waited_for() -> None:
+    for bit in range(2, 12):
+        control = machine()[1]
+        control.pulse(4, 0o3 | 1 << bit, 1000)
+        assert control.settled == (2_401_000 if bit > 6 else 0), f"{1 << bit:o}"
+
+
 def test_another_reel_has_nothing_of_the_one_before() -> None:
     drive = machine()[1].drives[0]
     drive.write(3, 0, 0o7070)

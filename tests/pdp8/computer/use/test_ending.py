@@ -111,6 +111,9 @@ def test_it_is_true_by_the_trace(death: Death) -> None:
             assert strange is None
         if why.what not in (ending.UNREAD, ending.PROTECTED):
             assert why.address in executed
+    late = ending.explained(stop, History(after), words)
+    past = {*ending.DEPARTURES, ending.LOST, ending.UNREAD}
+    assert not past & {why.what for why in late.why}, "the history begins behind it"
 
 
 @every_death

@@ -74,6 +74,10 @@ def test_each_action_takes_its_time_and_is_noted() -> None:
         (10.01, "stop", None, "The reader is empty: STOP."),
         (10.01, "lever", None, "The reader's lever to STOP."),
     ]
+    clock = hands.machine.processor.clock
+    for key in ("load_add", "exam", "dep", "start", "cont", "stop"):
+        hands.press(key)
+    assert hands.machine.processor.clock == clock, "it runs, and its time is not the operator's"
 
 
 def test_boot_from_cold() -> None:
