@@ -26,6 +26,7 @@ from pdp8.reels import Reels
 from tapes.errors import WorkError
 
 if TYPE_CHECKING:
+    from pdp8.cli.running.feed import Feed
     from pdp8.cli.running.keyboard import Terminal
 
 
@@ -109,6 +110,7 @@ def sit_down(
     machine: Machine,
     listing: Listing,
     mounted: Reels | None,
+    feed: "Feed",
     max_time: float | None,
     realtime: bool,
     follow: Callable[[Machine], object],
@@ -120,14 +122,19 @@ def sit_down(
     """
     from pdp8.cli.running.keyboard import Terminal
 
+    def next_tape() -> None:
+        if feed.names:
+            terminal.end_line()
+            feed.announce_next()
+
     terminal = Terminal(pass_on)
     click.echo("Teletype on line; Ctrl-] stops, and leaves to the monitor.", err=True)
-    stop, left = terminal.run(machine, max_time, realtime)
+    stop, left = terminal.run(machine, max_time, realtime, next_tape)
     terminal.end_line()
     if not left:
         return stop
     made = Monitor(terminal.say, machine, listing)
-    made.realtime = realtime
+    made.realtime, made.waiting_tapes = realtime, feed.names
     if mounted is not None:
         made.reels = mounted
     made.say_stop(stop)

@@ -29,7 +29,8 @@ class Feed:
     def __init__(self, reader: Reader, names: list[str], quiet: bool = False) -> None:
         self.idle: Callable[[], bool] = lambda: False
         self._reader = reader
-        self._names = names
+        self.names = names
+        """The tapes that are not yet put in."""
         self._quiet = quiet
         self._file = -1
         self._name = ""
@@ -43,9 +44,9 @@ class Feed:
 
     def next_tape(self) -> bool:
         """Put the next tape in. Returns False if there is none. Raises ShelfError."""
-        if not self._names:
+        if not self.names:
             return False
-        name = self._name = self._names.pop(0)
+        name = self._name = self.names.pop(0)
         self._passed += self._reader.position
         self._file = _pipe(name)
         self._reader.load(b"" if self._file >= 0 else shelf.read(name))
@@ -59,7 +60,7 @@ class Feed:
     @property
     def left(self) -> str:
         """The tapes that were never put in."""
-        return ", ".join(map(called, self._names))
+        return ", ".join(map(called, self.names))
 
     def look(self, halted: bool) -> None:
         """Say once that the first frame came in unused: START sets READER RUN before a program clears it."""

@@ -87,7 +87,11 @@ class Tcp(Line):
         command.say(f"listens on {host or '127.0.0.1'}:{port}, {bits} bits; Ctrl-C stops")
 
     def close(self) -> None:
-        """Close the port."""
+        """Close the port, and give who is there five seconds to take the last frames."""
+        if self._client is not None:
+            with suppress(OSError):
+                self._client.settimeout(5)
+                self._client.sendall(self._waiting)
         for each in (self._client, self._server):
             if each is not None:
                 each.close()
@@ -104,7 +108,8 @@ class Tcp(Line):
             return b""
         if self._client is None:
             self._client, _ = self._server.accept()
-            self._client.sendall(_CHARACTER_MODE)
+            with suppress(OSError):  # it may have left already
+                self._client.sendall(_CHARACTER_MODE)
             self._client.setblocking(False)
             self._pass_on()
             return b""

@@ -6,13 +6,16 @@ import re
 import select
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import termios
 import time
 import tty
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -268,9 +271,11 @@ def test_a_tcp_port_of_8_bits_has_an_address_and_doubles_what_is_telnets(
     with click.Context(click.Command("run")):
         line = opened(f"tcp:localhost:{port}", 8)
     assert capsys.readouterr().err == f": listens on localhost:{port}, 8 bits; Ctrl-C stops\n"
+    with socket.create_connection(("localhost", port)) as rude:  # it leaves before it is looked at
+        rude.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     with closing(line), socket.create_connection(("localhost", port)) as client:
         client.settimeout(20)
-        assert line.received(20) == b""
+        assert [line.received(20) for _ in range(3)] == [b""] * 3
         line.send(0o377)
         line.send(0o301)
         assert b"".join(client.recv(1) for _ in range(9)) == b"\xff\xfb\x01\xff\xfb\x03\xff\xff\xc1"
@@ -294,6 +299,18 @@ def test_telnets_options_are_taken_out_wherever_a_packet_ends() -> None:
         assert b"".join(map(line._without_options, packets)) == frames
 
 
+def test_a_client_has_the_last_frames_though_it_takes_them_slowly() -> None:
+    line, last = Tcp.__new__(Tcp), bytes(range(255)) * 40_000
+    line._client, there = socket.socketpair()
+    line._server, line._waiting = socket.socket(), bytearray(last)
+    line._client.setblocking(False)
+    line._pass_on()
+    with there, ThreadPoolExecutor(1) as thread:
+        taken = thread.submit(lambda: b"".join(iter(partial(there.recv, 1 << 16), b"")))
+        line.close()
+        assert taken.result(20) == last
+
+
 def test_what_is_no_line_is_closed_again() -> None:
     before = len(os.listdir("/dev/fd"))
     for _ in range(3):
@@ -305,7 +322,10 @@ def test_what_is_no_line_is_closed_again() -> None:
 def test_rts_is_reader_run_until_the_line_says_that_it_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[tuple[int, bytes]] = []
     end, other = pty.openpty()
+    before = termios.tcgetattr(other)
     line = opened(os.ttyname(other))
+    now = termios.tcgetattr(other)
+    assert (now[2] & termios.CSTOPB, now[4:6]) == (termios.CSTOPB, [termios.B110] * 2)
     monkeypatch.setattr("fcntl.ioctl", lambda file, request, bits: asked.append((request, bits)))
     line.reader_run(True)
     line.reader_run(False)
@@ -320,9 +340,10 @@ def test_rts_is_reader_run_until_the_line_says_that_it_has_none(monkeypatch: pyt
     line.reader_run(True)
     line.reader_run(True)
     assert asked[2:] == [(0, b"")]
+    line.close()
+    assert termios.tcgetattr(other)[:6] == before[:6]
     for file in (end, other):
         os.close(file)
-    line.close()
 
 
 def test_in_real_time_it_waits_as_long_as_the_machine_takes(

@@ -1,6 +1,7 @@
 """The terminal key by key: prompt_toolkit's raw mode on a pipe, and what differs on Windows."""
 
 import os
+import re
 import signal
 import sys
 import time
@@ -25,11 +26,14 @@ from pdp8.cli.running import keyboard, pacing
 from pdp8.cli.running.feed import Feed
 from pdp8.cli.running.keyboard import Terminal, characters, typed
 from pdp8.cli.shared import command
+from pdp8.cli.shared.arguments import Target
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason
 from pdp8.computer.use.keys import sent
+from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from tests.conftest import Call, case
+from tests.options.trial import changed, existing, folder
 
 
 @pytest.fixture
@@ -177,6 +181,57 @@ def test_a_signal_ends_the_prompt_wherever_it_comes(keys: PipeInput) -> None:
             next(monitor._typed())
         assert left.value.code == 128 + signal.SIGTERM
         assert signal.getsignal(signal.SIGTERM) is end
+
+
+ECHOES = (
+    b"*200\n\tKCC\nN,\tKSF\n\tJMP N\n\tKRB\n\tTLS\n\tTSF\n\tJMP .-1\n\tISZ C\n\tJMP N\n\tHLT\nC,\t-4\n$\n"
+)
+READS = {"a.pal": ECHOES, "b": b"AB", "c": b"CD"}
+"""A program that halts after four frames, and two tapes of it."""
+_WRITES = [param.opts[0] for param in run.params if isinstance(param.type, Target)]
+
+
+def test_with_a_user_at_the_teletype_a_run_does_all_else_as_without(
+    keys: PipeInput, call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keyboard, "create_input", lambda: keys)
+
+    def did(more: str) -> tuple[int, str, dict[str, bytes]]:
+        with folder(READS):
+            before = existing()
+            status, _, said = call(f"pdp8 run a.pal --reader b --reader c {more}", terminal=True)
+            names = {name: content * (name == "p") for name, content in changed(before).items()}
+        return status, re.sub(r"[\d.]+ s in 1971", "", said), names
+
+    for given in ("", "--quiet", *(f"{option} t" for option in _WRITES if option != "--line")):
+        with case(given):
+            status, said, names = did(f"--punch p {given}")
+            begins = "Teletype on line; Ctrl-] stops, and leaves to the monitor.\n"
+            assert did(f"--punch p {given} --keyboard") == (status, begins + said, names)
+            assert (status, names.get("p", b"ABCD")) == (0, b"ABCD")
+            if "punch" not in given:  # nor does a tape go to standard output
+                assert did(f"{given.replace(' t', ' -')} --keyboard")[0] == 0
+
+
+def test_the_monitor_has_what_the_run_had_and_all_that_it_punches(
+    keys: PipeInput, call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = list[Monitor]()
+
+    def converse(prompt: Monitor, _: Terminal) -> None:
+        made.append(prompt)
+        for line in ("deposit 300 7240 6046 7402", "set pc 300", "step 3", "wait 0.2"):
+            do(prompt, line)
+
+    keys.send_text("\x1d")
+    monkeypatch.setattr(keyboard, "create_input", lambda: keys)
+    monkeypatch.setattr(monitor, "converse", converse)
+    with folder(READS):
+        line = "pdp8 run a.pal --keyboard --realtime --reader b --reader c --device dectape --punch p"
+        assert call(line, terminal=True)[0] == 0
+        assert Path("p").read_bytes().endswith(b"\xff")
+    assert (made[0].realtime, made[0].waiting_tapes, "dt0" in made[0].reels.places) == (True, ["c"], True)
+    assert made[0].address("N") == 0o201
 
 
 def test_echo_is_for_a_script(call: Call) -> None:
