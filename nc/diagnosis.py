@@ -8,6 +8,7 @@ from tapes import codes, controls, doubts, redundancy
 from tapes.ascii import ends_blocks
 from tapes.code import Code
 from tapes.eia import DELETE, EOB
+from tapes.frames import skip
 from tapes.hydrapoint import ROWS
 
 _SHOWN = 5
@@ -61,10 +62,9 @@ def _in_block(frames: bytes, error: BlockError) -> str:
         if gap.start in block:
             said = f"{len(gap)} blank frames, where zeros are punched: a splice"
             return _left_out(gap, error.block, said)
-    rubouts = [at for at in block if frames[at : at + 1] == bytes([DELETE])]
-    if rubouts:
-        run = range(rubouts[0], rubouts[-1] + 1)
-        return _left_out(run, error.block, "rubouts (DEL), which the Hydra-Point reads as 15")
+    at = error.frame or 0
+    if (stop := skip(frames, at, DELETE)) > at:
+        return _left_out(range(at, stop), error.block, "rubouts (DEL), which the Hydra-Point reads as 15")
     if frames[start] == EOB:
         return _left_out(range(start, start + 1), error.block, "an end of block without a block")
     return str(error)

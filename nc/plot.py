@@ -66,7 +66,7 @@ def plot(
     close_height = min(max(high - close_top - _BELOW, _CLOSE_LOWEST), _CLOSE_HIGHEST)
     bottom = close_top + close_height
     sheet = Sheet(_LEFT + _WIDTH + 20, bottom + _BELOW, f"Hydra-Point, block {current}")
-    title = f"{len(path)} blocks · {path.times.total / 60:.1f} min · cutter {unit.said(cutter)} {unit.name}"
+    title = f"{len(path)} blocks · {path.times.total / 60:.1f} min · cutter {unit.size(cutter)} {unit.name}"
     sheet.text(_LEFT, 26, f"Moog Hydra-Point 83-1000 MC · {title}", font_size=15)
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
@@ -100,7 +100,7 @@ def _ratio(scale: float) -> str:
 
 
 def _close_title(curve: Curve | None, tolerance: float, zoom: tuple[float, float], unit: Unit) -> str:
-    band = f"; band ±{unit.said(tolerance)} {unit.name} about the {curve.said(unit)}" if curve else ""
+    band = f"; band ±{unit.size(tolerance)} {unit.name} about the {curve.said(unit)}" if curve else ""
     along, up = map(_ratio, zoom)
     return f"close, scale {along}{band}" if along == up else f"stretched, X {along}, Y {up}{band}"
 

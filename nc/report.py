@@ -81,7 +81,7 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
     if source:
         yield f"known by  {source}"
     yield (
-        f"cutter    {unit.said(inspection.cutter)} {unit.name}; its centre went "
+        f"cutter    {unit.size(inspection.cutter)} {unit.name}; its centre went "
         f"from {_side(inspection, 0, unit)} to {_side(inspection, 1, unit)} of nominal"
     )
     yield f"stations  {len(inspection.walls.stations)}"

@@ -16,6 +16,7 @@ import numpy as np
 from nc.curves import Floats
 from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
 from nc.inspection import Inspection, runs
+from nc.unit import INCH
 from tapes.errors import WorkError
 from tapes.quantities import inches
 
@@ -63,13 +64,13 @@ class _Graph:
         return self.sheet.svg()
 
     def _title(self) -> None:
-        worst, cutter = self.inspection.worst, f"cutter {self.inspection.cutter / 1000:.3f} in"
+        worst, cutter = self.inspection.worst, f"cutter {INCH.size(self.inspection.cutter)} in"
         scale = f"radial magnification {self.magnification}, centre suppressed · small division .001 in"
         rough = f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}"
         self.sheet.text(20, 26, f"{self.name}: {self.inspection.curve}", font_size=15)
         self.sheet.text(20, 46, f"{cutter} · {scale} · outward is +")
-        self.sheet.text(20, 64, "outer wall", fill=COLOURS["outer"])
-        self.sheet.text(80, 64, "inner wall", fill=COLOURS["inner"])
+        for place, wall in enumerate(self.inspection.walls.by_name):
+            self.sheet.text(20 + 60 * place, 64, f"{wall} wall", fill=COLOURS[wall])
         self.sheet.text(20, 82, f"{rough}; the figures round the graph are trough to peak")
 
     def _radius(self, deviation: float) -> float:
@@ -121,7 +122,7 @@ class _Graph:
             x = self.x + (self.rim + 14) * cos(angle)
             y = self.y - (self.rim + 28) * sin(angle) + 4
             anchor = "middle" if abs(cos(angle)) < 0.1 else "start" if cos(angle) > 0 else "end"
-            if reading.wall == "outer":
+            if reading.wall == "outer" or self.inspection.curve.part_wall:
                 self.sheet.text(x, y - 13, reading.place, text_anchor=anchor, fill=FAINT)
             else:
                 y += 13

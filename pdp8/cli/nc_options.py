@@ -29,6 +29,8 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 class Within(click.types.FloatParamType):
     """A number from `low` (`above`: greater than it) to `high`."""
 
+    unit = ""
+
     def __init__(self, low: float, high: float, above: bool = False) -> None:
         self.low, self.high, self.above = low, high, above
 
@@ -38,13 +40,13 @@ class Within(click.types.FloatParamType):
         if self.low <= number <= self.high and not (self.above and number == self.low):
             return number
         start = f"above {self.low:g}" if self.above else f"from {self.low:g}"
-        self.fail(f"{number:g} is not {start} to {self.high:g}", param, ctx)
+        self.fail(f"{number:g}{self.unit} is not {start} to {self.high:g}{self.unit}", param, ctx)
 
 
 class Inches(Within):
     """A length, with its unit or without: in inches, or millimetres with --mm."""
 
-    name = "inches"
+    name, unit = "inches", " in"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
@@ -239,7 +241,7 @@ class Named:
     )
     side = ""
 
-    def nominal(self, mm: bool) -> Nominal | None:
+    def nominal(self, mm: bool, tolerance: float | None) -> Nominal | None:
         """Return the curve that the options name, or None. Raises UsageError and WorkError."""
         places = {"line": self.line, "circle": self.circle, "ellipse": self.ellipse}
         kind: Kind
@@ -254,6 +256,7 @@ class Named:
             if self.side not in ("", *SIDES[kind]):
                 raise click.UsageError(f"--side of a --{kind} is {' or '.join(SIDES[kind])}.")
             named = Nominal(kind, numbers, expression, side=self.side)
+            named = named._replace(tolerance=tolerance or named.tolerance)
             return self._of_file(named, mm) if kind == "profile" and shelf.is_name(expression) else named
         return None
 
@@ -337,7 +340,7 @@ def work(
     path, error = cut_so_far(tape, settings)
     if error is not None:
         raise error
-    nominal = named.nominal(metric.mm) or _made_for(tape.name, path)
+    nominal = named.nominal(metric.mm, tolerance) or _made_for(tape.name, path)
     known = nominal or Nominal("line", ())
     across = 1000 * (cutter or known.cutter)
     return Work(

@@ -50,6 +50,15 @@ TEXT = ascii.encode("A LETTER TO THE SHOP\n" * 20)
             WHOLE[: FIRST + 5] + b"\x7f" + WHOLE[FIRST + 5 : FIRST + 47] + bytes(30) + WHOLE[FIRST + 47 :],
             False, f"frame {FIRST + 5}: block 1: rubouts",
         ),
+        (
+            WHOLE[: FIRST + 5] + b"\x7f" + WHOLE[FIRST + 5 : FIRST + 9] + b"\x7f\x7f" + WHOLE[FIRST + 9 :],
+            False, f"frame {FIRST + 5}: block 1: rubouts (DEL), which the Hydra-Point reads as 15; "
+            f"`pdp8 tape cut --without {FIRST + 5}` leaves",
+        ),
+        (
+            WHOLE[: FIRST + 25] + b"\x7f" + WHOLE[FIRST + 25 : FIRST + 30] + b"\3" + WHOLE[FIRST + 31 :],
+            True, f"frame {FIRST + 31}: block 1, row 11: wrong parity: 003 has 2 holes",
+        ),
         (bytes([1, 2, 0o200]), False, "frame 2: block 1, row 3: the block ends in row 3"),
     ],
 )  # fmt: skip

@@ -15,7 +15,7 @@ from PIL import Image
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine
 from nc.drawing import Sheet, View, Window, round_step
-from nc.inspection import Inspection, Walls, followed, inspect
+from nc.inspection import _PLACES, Inspection, Walls, _readings, followed, inspect
 from nc.plot import plot
 from nc.talyrond import _Graph, talyrond
 from nc.talysurf import talysurf
@@ -125,6 +125,9 @@ def test_what_does_not_close_says_how_far_it_is_open() -> None:
     gap = dist(staircase(1750, 5)[329], (2250, 4000)) / 1000
     assert f"the contour ends {gap:.3f} in from its start" in said
     assert "band ±0.600 in about" in said
+    fine = " ".join(words(plot(half(), THE_CIRCLE, tolerance=0.2, cutter=62.5)))
+    assert "cutter 0.0625 in" in fine
+    assert "band ±0.0002 in about" in fine
     assert "guessed" not in said
     assert ", guessed from the path" in " ".join(words(plot(circle(), followed(circle(), 5))))
 
@@ -138,6 +141,16 @@ def walled(curve: Curve, outer: float) -> Inspection:
     """Return an inspection of a curve whose outer wall is so far out, and whose inner one is nominal."""
     walls = Walls(curve.stations(2), np.full(2, float(outer)), np.zeros(2))
     return replace(inspect(slope(), SLOPE), curve=curve, walls=walls, cutter=5000)
+
+
+@pytest.mark.parametrize("beside", [0.0, 250.0, -250.0])
+def test_a_talyrond_names_each_wall_and_place_that_is_measured(beside: float) -> None:
+    curve = Ellipse(4000, 4000, 1750, 1750, beside)
+    measured = Walls(curve.stations(360), np.zeros(360), np.ones(360), curve.part_wall)
+    found = replace(walled(curve, 1), walls=measured, readings=tuple(_readings(curve, measured)))
+    said, places = words(talyrond(found)), [name for name, *_ in _PLACES]
+    assert [word for word in said if word.endswith(" wall")] == [f"{wall} wall" for wall in measured.by_name]
+    assert [word for word in said if word in places] == places
 
 
 @pytest.mark.slow("measures some parts")
