@@ -51,5 +51,5 @@ def part(
     printout.digits(Block(2, Preparatory.READ_Z, feed_point, depth, 0, z_feed, Miscellaneous.Z_FEED))
     for number, (x, y) in enumerate(holes, 3):
         place = thousandths("X", x), thousandths("Y", y)
-        printout.digits(Block(number, Preparatory.DRILL, *place, 0, z_feed, Miscellaneous.Z_FEED))
+        printout.digits(Block(number % 1000, Preparatory.DRILL, *place, 0, z_feed, Miscellaneous.Z_FEED))
     return printout.text

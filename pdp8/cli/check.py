@@ -2,8 +2,8 @@
 
 import os
 import sys
-from collections import Counter
 from collections.abc import Iterator, Sequence
+from itertools import chain, count
 
 import click
 
@@ -185,12 +185,11 @@ def _stem(name: str) -> str:
 
 def _names(results: Sequence[Result]) -> list[str]:
     """Return the name of each student's files, with a number where it is repeated."""
-    taken: Counter[str] = Counter()
-    names = []
+    names: list[str] = []
     for result in results:
         stem = _stem(result.answer)
-        taken[stem] += 1
-        names.append(f"{stem}-{taken[stem]}" if taken[stem] > 1 else stem)
+        numbered = (f"{stem}-{number}" for number in count(2))
+        names.append(next(name for name in chain([stem], numbered) if name not in names))
     return names
 
 

@@ -77,7 +77,8 @@ def _command(part: Part) -> click.Command:
         else:
             text = program(**arguments(program, values))
         command.put(output, ascii.encode(text))
-        if output != "-" and (nominal := part.nominal(arguments(program, values))):
+        is_file = output != "-" and os.path.isfile(output)
+        if is_file and (nominal := part.nominal(arguments(program, values))):
             _put_beside(output, nominal._replace(source=f"pdp8 part {part.name} {source}".strip()), text)
 
     made = Command(

@@ -95,10 +95,13 @@ def _core_of_state(file: str, content: bytes) -> bytes:
 
 
 def _mended(content: bytes, values: dict[int, int]) -> bytes:
-    for frame in values:
-        if frame >= len(content):
-            raise click.UsageError(f"--mend {frame}: the last frame is {len(content) - 1}")
+    _check_last("--mend", max(values, default=-1), content)
     return doubts.mended(content, values)
+
+
+def _check_last(option: str, frame: int, content: bytes) -> None:
+    if frame >= len(content):
+        raise click.UsageError(f"{option} {frame}: the last frame is {len(content) - 1}")
 
 
 def _say_accepted(file: str, content: bytes, code: Code) -> None:
@@ -206,7 +209,7 @@ def show(
     known = codes.recognise(content) if code == _AUTO else codes.named(code)
     if cut is not None:
         with naming(file):
-            drawn = (cutting.dxf if cut.endswith(".dxf") else cutting.svg)(content[first:stop])
+            drawn = (cutting.dxf if cut.lower().endswith(".dxf") else cutting.svg)(content[first:stop])
         command.put(cut, drawn)
     if svg is not None:
         with naming(file):
@@ -298,15 +301,15 @@ def convert(
         _say_accepted(file, content, words)
 
 
-def _numbers(_context: click.Context, _option: click.Parameter, value: str) -> frozenset[int]:
-    found: set[int] = set()
+def _ranges(_context: click.Context, _option: click.Parameter, value: str) -> list[range]:
+    found = []
     for each in filter(None, value.split(",")):
         first, to, last = each.partition("-")
         last = last if to else first
         if not (first.isdecimal() and last.isdecimal()) or int(last) < int(first):
             raise click.BadParameter(f"{each!r} is not a frame or a range of them, such as 1001,821-826")
-        found.update(range(int(first), int(last) + 1))
-    return frozenset(found)
+        found.append(range(int(first), int(last) + 1))
+    return found
 
 
 @tape.command()
@@ -315,7 +318,7 @@ def _numbers(_context: click.Context, _option: click.Parameter, value: str) -> f
     "--from first", "First frame to keep.", click.IntRange(0), metavar="FRAME", default=0, show_default=False
 )
 @option("--to last", "Last frame to keep.", click.IntRange(0), metavar="FRAME")
-@option("--without", "Leave out frames: 1001,821-826.", metavar="FRAMES", default="", callback=_numbers)
+@option("--without", "Leave out frames: 1001,821-826.", metavar="FRAMES", default="", callback=_ranges)
 @flag("--reverse", "Turn it back to front: the last frame first.")
 @flag("--mirror", "Turn it over: channel 8 becomes channel 1.")
 @_mend
@@ -325,7 +328,7 @@ def cut(
     file: str,
     first: int,
     last: int | None,
-    without: frozenset[int],
+    without: list[range],
     reverse: bool,
     mirror: bool,
     mend: dict[int, int],
@@ -345,8 +348,9 @@ def cut(
     content = _mended(_read(file), mend)
     with naming(file):
         _check(first, len(content))
-    kept = range(first, len(content) if last is None else last + 1)
-    piece = bytes(frame for at, frame in enumerate(content) if at in kept and at not in without)
+    kept = range(first, len(content) if last is None else min(last + 1, len(content)))
+    _check_last("--without", max((each[-1] for each in without), default=-1), content)
+    piece = bytes(content[at] for at in kept if not any(at in each for each in without))
     piece = redundancy.mirrored(piece) if mirror else piece
     command.put(output, piece[::-1] if reverse else piece)
 

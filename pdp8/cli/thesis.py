@@ -185,7 +185,7 @@ def evidence(file: str, tei: bool, output: str) -> None:
 
 @thesis.command()
 @click.argument("answers", type=Source(), metavar="[ANSWERS]", required=False)
-@flag("--letter", "Write a letter to a library that has the thesis.", excludes="--pages")
+@flag("--letter", "Write a letter to a library that has the thesis.", excludes="--pages ANSWERS")
 @option(
     "--pages",
     "Pictures of pages, 106.png or page-106.png: say where on them the lines are.",

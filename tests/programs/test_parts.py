@@ -87,6 +87,11 @@ def test_a_part_is_fit_for_the_machine(
             assert (block.preparatory, block.tool, block.function) == (0, 0, 80), block
 
 
+def test_a_thousand_holes_are_whole_blocks() -> None:
+    made = blocks(parts.part("drill", holes=[(1, 1)] * 1000))
+    assert [block.sequence for block in made] == [number % 1000 for number in range(1, 1003)]
+
+
 def sloping(segments: Iterable[fluidic.Segment]) -> int:
     """Return how many of them are straight and along no axis."""
     lines = (segment for segment in segments if isinstance(segment, fluidic.Slope))

@@ -228,5 +228,5 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
             continue
         identity = shelf.identity(name)
         if identity in taken:
-            raise click.UsageError(taken[identity].format(name=name))
+            raise click.UsageError(taken[identity])
         taken[identity] = f"two outputs go to {'standard output' if name == '-' else name}"

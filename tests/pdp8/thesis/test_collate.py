@@ -49,10 +49,10 @@ def test_a_second_program_without_the_space_punches_360_for_it() -> None:
 
 def test_an_answer_is_as_ours_or_says_what_it_changes() -> None:
     space = KNOWN["0340"]
-    assert [state(space, each) for each in (None, "tad p0", "TAD MSP", "TAD NCR")] == [
+    assert [state(space, each) for each in (None, "tad p0", "tadMSP", "TAD NCR")] == [
         "conjectured",
         "read",
-        "read: TAD MSP; " + space.rivals["TAD MSP"],
+        "read: tadMSP; " + space.rivals["TAD MSP"],
         "read: TAD NCR; not foreseen, so not computed",
     ]
 
