@@ -148,6 +148,7 @@ FILES: Final[Mapping[str, bytes]] = {
     "rows.eia": _damaged(_tape(CIRCLE + _SHOP)),
     "line.eia": _tape(_HEADER + _ALONG),
     "part.asc": ascii.encode(parts.part("slope", to_x=4.5, to_y=4.25)),
+    "read.txt": b"0340 | TAD P0 | WS, Mills, 2026\n",
     "words.txt": b"A B\n",
     "digits.txt": octal.decode(ascii.encode("1\n")).encode(),
     "points.txt": b"0 0\n1 1\n2 4\n3 9.5\n",
@@ -197,7 +198,7 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         "fast.pal --fast-reader in.asc --reader in.asc --reader other.asc --punch out.tape",
         "fast.pal --fast-punch out.fast --fast-reader in.asc",
     ),
-    "monitor": ("script.txt",),
+    "monitor": ("script.txt", ""),
     "workbench": ("",),
     "pal": (
         "work.pal", "work.pal -o out.bin", "literal.pal", "small.pal", "full.pal", "literal.pal -o out.bin",
@@ -290,6 +291,9 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
 """What each command is called with besides the options that are tried."""
 
 _VALUES: Final = {
+    "SCRIPT": "script.txt",
+    "ANSWERS": "read.txt",
+    "NUMBER": "B",
     "tape extract --as": "words",
     "tape insert --as": "tape",
     "--out": "out",
@@ -436,6 +440,10 @@ def value(command: str, option: str) -> str:
 _FLAGS: Final = ("nc export --tool-change", "part circle --close", "part ellipse --close")
 
 HIDDEN: Final = {
+    "run PROGRAM": "all calls but one have it",
+    "check EXERCISE": "the same",
+    "thesis collate ANSWERS --pages": "needs pictures of pages: tests/pdp8/thesis/test_collate.py",
+    "thesis collate --pages --out": "the same",
     "run --keyboard": "needs a terminal: tests/pdp8/cli/test_terminal.py",
     "run --line": "needs a serial line: tests/pdp8/cli/test_line.py",
     **{

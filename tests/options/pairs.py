@@ -39,10 +39,15 @@ def declared() -> dict[str, list[str]]:
     for context in commands(click.Context(pdp8, info_name="pdp8")):
         name = context.command_path.partition(" ")[2]
         if not isinstance(context.command, click.Group):
-            params = (param for param in context.command.params if isinstance(param, click.Option))
+            params = (param for param in context.command.params if _may_be_given(param))
             options = (rules.words(param)[0] for param in params)
             found[name] = [option for option in options if option not in inputs.ENDS]
     return found
+
+
+def _may_be_given(param: click.Parameter) -> bool:
+    """Whether it is an option, or an argument that may be left out and has no default."""
+    return isinstance(param, click.Option) or not (param.required or param.nargs < 0 or param.default == "-")
 
 
 def pairs(names: Iterable[str] = ()) -> Iterator[Pair]:
@@ -61,7 +66,7 @@ def tried(pair: Pair) -> str:
     said = "no call of inputs.py tries it"
     refused = []
     for call in inputs.CALLS.get(pair.command, ()):
-        if any(option in call.split() for option in pair.options):
+        if any(option in call.split() for option in pair.options) or (call and pair.options[0].isupper()):
             continue
         both = _outcome(pair.command, call, pair.options)
         refused.append(both.refused)
@@ -85,7 +90,7 @@ def hidden(pair: Pair) -> str:
 
 
 def _line(command: str, call: str, options: Iterable[str]) -> str:
-    given = (f"{option} {inputs.value(command, option)}".rstrip() for option in options)
+    given = (f"{option * (option[0] == '-')} {inputs.value(command, option)}".strip() for option in options)
     return " ".join([command, *given, call])
 
 

@@ -1,8 +1,12 @@
 """What options mean that many commands have: a file is written, replaced, kept; less is said."""
 
+from collections.abc import Iterator
+from functools import cache
+
 import click
 import pytest
 
+from pdp8.cli.part_options import Typed
 from pdp8.cli.root import pdp8
 from pdp8.cli.shared.arguments import Target
 from release.reference import commands
@@ -73,6 +77,26 @@ def test_a_file_is_written_then_replaced_then_kept(command: str) -> None:
             shown = did(command, call if option.default == "-" else f"{option.opts[0]} - {call}")
             if option.opts[0] != "--fast-punch":  # the other punch has standard output
                 assert (shown.status, shown.shown) == (first.status, content.removeprefix(MARK))
+
+
+def _numbers() -> Iterator[tuple[str, str]]:
+    """Yield the options that are a number, or left out: a command and its option."""
+    kinds = click.types.IntParamType, click.types.FloatParamType, click.types.FuncParamType, Typed
+    for context in commands(click.Context(pdp8, info_name="pdp8")):
+        name = context.command_path.partition(" ")[2]
+        for param in context.command.params:
+            if isinstance(param.type, kinds) and not isinstance(param.default, str | int | float | tuple):
+                yield name, param.opts[0]
+
+
+def test_nought_is_not_taken_for_an_option_that_is_left_out() -> None:
+    """It acts, or it is refused."""
+    without = cache(did)
+    for command, option in _numbers():
+        calls = [call for call in inputs.CALLS.get(command, ()) if option not in call][:3]
+        with case(command, option):
+            tried = ((did(command, f"{option} 0 {call}"), call) for call in calls)
+            assert not calls or any(now.refused or now != without(command, call) for now, call in tried)
 
 
 def test_an_empty_file_is_not_replaced_by_a_punched_tape() -> None:

@@ -20,6 +20,8 @@ _MOST, _WIDEST = 12, 240
 """Lines of a stream that are written in full, and their characters."""
 _PACKED = re.compile(rb"(?<=#s=)[\w-]+")
 """What a link to the page has, which zlib packs differently from version to version."""
+_USAGE = re.compile(rb"(.*\b(pdp8[ \w]*): .*\n)\2 --help shows what there is\n", re.DOTALL)
+"""What a misuse says: the last line is the same in all, and left out."""
 
 
 def blocks(table: str) -> list[str]:
@@ -69,10 +71,11 @@ def _prompted(monitor: Monitor, said: list[str], line: str) -> Iterator[str]:
 def _answer(line: str) -> Iterator[str]:
     command, _, given = line.partition(" < ")
     result = called(command, Path(given).read_bytes() if given else b"")
+    usage = _USAGE.fullmatch(result.said) if result.status == 2 else None
     yield from _stream("  ", result.shown)
-    yield from _stream("! ", result.said)
+    yield from _stream("! ", usage[1] if usage else result.said)
     if result.status:
-        yield f"= {result.status}"
+        yield f"= {result.status}" + ", and no hint" * (result.status == 2 and not usage)
     yield from _written(result.files)
 
 

@@ -72,6 +72,34 @@ def test_each_refusal_and_nothing_beside_it(name: str) -> None:
     assert {line: why for line, why in said.items() if not why.startswith(wanted[line])} == {}
 
 
+STATEMENTS = (
+    *("if b: {}", "if b: pass\n    else: {}", "while b: {}", "for b in [1]: {}", "with held(): {}"),
+    *("try: {}\n    finally: pass", "try: {}\n    except ValueError: pass"),
+    *("try: f(a, b)\n    except ValueError: {}", "try: pass\n    finally: {}"),
+    "\n    el".join(f"if b == {number}: {{}}" for number in range(6)),
+)
+_SET = """from collections.abc import Iterator
+from contextlib import contextmanager
+@contextmanager
+def held() -> Iterator[None]: yield
+def f(a: int | None, b: int) -> int:
+    if a is None: return 0
+    {}
+    return a + 1
+"""
+
+
+@pytest.mark.parametrize("statement", STATEMENTS)
+def test_what_a_test_said_of_a_name_holds_until_a_statement_sets_it(statement: str) -> None:
+    for what, said in (
+        ("c = 5", []),
+        *((each, ["it may be None"]) for each in ("a = None", "b, a = 5, None")),
+    ):
+        faults = list[str]()
+        modules.translate({"m": ("m", _SET.format(statement.replace("{}", what)))}, {}, faults.append)
+        assert [fault.split(": ")[1] for fault in faults] == said, what
+
+
 @pytest.mark.parametrize("name", MODULES)
 def test_what_no_value_shows(name: str) -> None:
     _, text, tree = _read(name)
