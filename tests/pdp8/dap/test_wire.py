@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import fields as fields_of
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -75,7 +76,7 @@ def test_a_fault_of_the_debugger_is_said_to_be_one(monkeypatch: pytest.MonkeyPat
 
 ODD: dict[type, list[Any]] = {
     int: [-1, 0, 1, 3, 100, 0o20000, 1 << 40],
-    str: ["", " ", "-1", "X", "12345", "77777", "0x4001", "core[", "é", "a=b", "AC", "repl"],
+    str: ["", " ", "-1", "7", "X", "12345", "77777", "0x4001", "core[", "é", "a=b", "AC", "repl"],
     bool: [False, True],
     dict: [{}, {"path": ""}, {"sourceReference": 9}],
 }
@@ -98,12 +99,13 @@ def test_a_value_of_the_right_type_is_never_a_fault_of_the_debugger(
 
     asked: list[tuple[str, dict[str, Any]]] = [("launch", launch), ("configurationDone", {})]
     for name, needed in requests._NEEDED.items():
-        for _ in range(24):
+        kinds = [ODD.get(requests._TYPES.get(each, list), []) for each in needed]
+        for values in product(*(kind or [odd("breakpoints") for _ in range(24)] for kind in kinds)):
             more = draw.sample(sorted(requests._TYPES), 3)
-            asked.append((name, {each: odd(each) for each in (*needed, *more)}))
+            asked.append((name, {each: odd(each) for each in more} | dict(zip(needed, values, strict=True))))
     for field in fields_of(Launch):
-        values = ODD.get(type(field.default), ODD[str])
-        asked += [("launch", launch | {field.name: value}) for value in draw.choices(values, k=4)]
+        for value in ODD.get(type(field.default), ODD[str]):
+            asked.append(("launch", launch | {field.name: value}))
     assert [each for each in held(*asked) if "a fault of the debugger" in str(each)] == []
 
 
