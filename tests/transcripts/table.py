@@ -20,12 +20,12 @@ _MOST, _WIDEST = 12, 240
 """Lines of a stream that are written in full, and their characters."""
 _PACKED = re.compile(rb"(?<=#s=)[\w-]+")
 """What a link to the page has, which zlib packs differently from version to version."""
+_WROTE = re.compile(r"(?:! |  )(?:wrote|replaced) ([^:]+)")
 _USAGE = re.compile(rb"(.*\b(pdp8[ \w]*): .*\n)\2 --help shows what there is\n", re.DOTALL)
 """What a misuse says: the last line is the same in all, and left out."""
 
 
 def blocks(table: str) -> list[str]:
-    """Return the blocks of a table."""
     return [block.strip("\n") for block in table.split("\n\n")]
 
 
@@ -46,15 +46,21 @@ def block_answered(block: str) -> str:
                 lines.append(line)
             if line.startswith("% "):
                 name, text = line[2:].split(" = ", 1)
-                text = text.replace("|", "\n").replace("¦", "|")
-                Path(name).write_bytes(eia.encode(text) if name.endswith(".eia") else text.encode())
+                Path(name).write_bytes(_content(name, text))
             elif line.startswith("$ "):
                 lines += _answer(line[2:])
             elif line.startswith("* "):
                 before = existing()
-                lines += _prompted(monitor, said, line[2:])
-                lines += _written(changed(before))
+                lines += _with_files(list(_prompted(monitor, said, line[2:])), changed(before))
     return "\n".join(lines)
+
+
+def _content(name: str, text: str) -> bytes:
+    if name.endswith(".bin"):
+        frames = re.sub(r"(\d+)\*(\d+)", lambda found: f"{found[1]} " * int(found[2]), text)
+        return bytes(int(frame, 8) for frame in frames.split())
+    text = text.replace("|", "\n").replace("¦", "|")
+    return eia.encode(text) if name.endswith(".eia") else text.encode()
 
 
 def _prompted(monitor: Monitor, said: list[str], line: str) -> Iterator[str]:
@@ -72,16 +78,20 @@ def _answer(line: str) -> Iterator[str]:
     command, _, given = line.partition(" < ")
     result = called(command, Path(given).read_bytes() if given else b"")
     usage = _USAGE.fullmatch(result.said) if result.status == 2 else None
-    yield from _stream("  ", result.shown)
-    yield from _stream("! ", usage[1] if usage else result.said)
+    lines = [*_stream("  ", result.shown), *_stream("! ", usage[1] if usage else result.said)]
     if result.status:
-        yield f"= {result.status}" + ", and no hint" * (result.status == 2 and not usage)
-    yield from _written(result.files)
+        lines.append(f"= {result.status}" + ", and no hint" * (result.status == 2 and not usage))
+    return _with_files(lines, result.files)
 
 
-def _written(files: Mapping[str, bytes]) -> Iterator[str]:
-    for name, content in sorted(files.items()):
-        yield f"+ {name} {len(content):,}, {_digest(content)}"
+def _with_files(lines: list[str], files: Mapping[str, bytes]) -> Iterator[str]:
+    """Yield the lines, a file's bytes and digest behind the one that says it was written, or at the end."""
+    left = {name: f"{len(content):,}, {_digest(content)}" for name, content in sorted(files.items())}
+    for line in lines:
+        said = _WROTE.match(line)
+        yield f"{line} + {left.pop(said[1])}" if said and said[1] in left else line
+    for name, content in left.items():
+        yield f"+ {name} {content}"
 
 
 def _stream(mark: str, content: bytes) -> Iterator[str]:
