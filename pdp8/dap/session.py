@@ -100,8 +100,7 @@ class Session:
             try:
                 self._room.take_off()
             finally:
-                if not self._finished:
-                    rack.leave(self._room.monitor)
+                rack.leave(self._room.monitor)
 
     def _receive(self) -> None:
         """Answer the next message; one that is not an object is said and passed over."""
@@ -190,8 +189,7 @@ class Session:
         """Save what the machine leaves, if there is one: the tape in its punch, and its reels."""
         if self._room is not None:
             self._take_off(self._room)
-            if not self._finished:
-                rack.leave(self._room.monitor)
+            rack.leave(self._room.monitor)
             self._tell(self._room)
 
     def _launch(self, arguments: Body) -> None:
