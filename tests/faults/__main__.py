@@ -15,7 +15,6 @@ from tests.faults.workshop import first_failure
 
 
 def main(names: list[str], jobs: int) -> int:
-    """Try the faults; return the exit status."""
     began = time.monotonic()
     faults = [
         fault

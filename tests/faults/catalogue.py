@@ -2,13 +2,10 @@
 
 A file of faults is of one area; each of its sources has faults, a line each:
 
-    [[source]]
-    file = "pdp8/computer/hardware/operate.py"
+    ["pdp8/computer/hardware/operate.py"]
     tests = ["tests/pdp8/computer/hardware/test_instructions.py"]      the fewest that catch them
-    fault = [
-      { name = "CIA leaves the link", old = "...", new = "..." },      `old` is in the source exactly once
-      { name = "...", old = "...", new = "...", tests = [...] },       where others catch it
-    ]
+    "CIA leaves the link" = { old = "...", new = "..." }                `old` is in the source exactly once
+    "..." = { old = "...", new = "...", tests = [...] }                 where others catch it
 """
 
 import tomllib
@@ -30,12 +27,12 @@ class Fault(NamedTuple):
 
 
 def catalogue() -> list[Fault]:
-    """Return all faults."""
     return [
-        Fault(path.stem, file=source["file"], **{"tests": source["tests"], **fault})
+        Fault(path.stem, name, file, **{"tests": faults["tests"], **fault})
         for path in sorted(FOLDER.glob("*.toml"))
-        for source in tomllib.loads(path.read_text())["source"]
-        for fault in source["fault"]
+        for file, faults in tomllib.loads(path.read_text()).items()
+        for name, fault in faults.items()
+        if name != "tests"
     ]
 
 

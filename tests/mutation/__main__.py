@@ -25,7 +25,6 @@ FLOORS["photographs"] = 0.85
 
 
 def main(arguments: argparse.Namespace) -> int:
-    """Try the packages; return the exit status."""
     changed = _changed(arguments.since) if arguments.since else None
     table = []
     for package in arguments.packages or PACKAGES:

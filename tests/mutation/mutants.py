@@ -73,7 +73,6 @@ class Mutant(NamedTuple):
 
 
 def mutants(source: str) -> list[Mutant]:
-    """Return the mutants of a source in order."""
     tree = ast.parse(source)
     return list(_mutants(tree, tree, (), 0))
 

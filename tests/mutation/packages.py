@@ -74,7 +74,9 @@ def equal() -> dict[tuple[str, str, str], str]:
     """Return why a mutant changes nothing, by its file, its scope and the change as the table shows it."""
     found = tomllib.loads((Path(__file__).parent / "equal.toml").read_text())
     return {
-        (entry["file"], entry["scope"], change): entry["why"]
-        for entry in found["mutant"]
+        (file, scope, change): entry["why"]
+        for file, scopes in found.items()
+        for scope, entries in scopes.items()
+        for entry in entries
         for change in entry["changes"]
     }
