@@ -56,9 +56,10 @@ class Output:
         """Make a file the tape that is in the punch of `machine` now, from where the run began.
 
         In the monitor some of it may have been undone, or taken off, or another machine was restored: then
-        its tape is written whole. Raises ShelfError.
+        its tape is written whole. What has gone down a pipe stays so. Raises ShelfError.
         """
         if self._gone or self._stream is sys.stdout.buffer or not os.path.isfile(self._name):
+            self.send()
             return
         punch = _punch(machine, self._fast)
         if punch is not self._punch or len(punch.frames) < self._first:
