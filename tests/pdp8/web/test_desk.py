@@ -586,7 +586,7 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     until(page, f"{says}('for 1750 thousandths write 1.75')")
 
 
-_TYPED = """() => workbench.record.parts.map(({ name }) => {
+_TYPED_OPTIONS = """() => workbench.record.parts.map(({ name }) => {
   const { parts } = workbench, places = "#part-options [name]";
   parts.choose(name, {});
   for (const field of document.querySelectorAll(places)) {
@@ -602,7 +602,7 @@ _TYPED = """() => workbench.record.parts.map(({ name }) => {
 
 
 def test_a_part_that_is_opened_has_all_options_as_they_were_typed(page: Page) -> None:
-    found = page.evaluate(_TYPED)
+    found = page.evaluate(_TYPED_OPTIONS)
     assert found == [[True, True]] * len(found)
 
 
