@@ -83,7 +83,7 @@ def missing(answer: Answer, trial: Trial) -> str:
 
 
 def has(answer: Answer, place: str) -> bool:
-    """Tell whether an answer has a place: an address, or a tag of its own."""
+    """Return whether an answer has a place: an address, or a tag of its own."""
     return place[0].isdigit() or tag(place)[0] in answer.symbols
 
 

@@ -88,7 +88,7 @@ def until_stopped(
     look: Callable[[float], None] | None = None,
 ) -> None:
     """Undo to the last breakpoint, or use of a watched word (True), at which `stops` holds; `look` gets the
-    part searched, 0 to 1, and may raise to leave the machine as it was.
+    part searched, 0 to 1; if it raises, the machine is not changed.
     """
 
     def holds(of_words: bool) -> bool:

@@ -2,6 +2,7 @@
 
 import { html, put } from "../html.mjs";
 import { find } from "../written.mjs";
+import { uncover } from "./wiring.mjs";
 
 export class Tabs {
   constructor(/** @type {Bench} */ bench) {
@@ -41,7 +42,7 @@ export class Tabs {
     this.#show(opened);
     bench.show();
     if (bench.afternoon.on) return;
-    if (!list.parentElement.checkVisibility()) document.querySelector(".alone > .enlarge")?.click();
+    uncover(list.parentElement);
     if (list.getBoundingClientRect().top < 0) list.scrollIntoView();
   }
 

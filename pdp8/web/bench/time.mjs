@@ -5,7 +5,7 @@ import { forward } from "../../computer/use/goals.mjs";
 import { html } from "../html.mjs";
 import { find } from "../written.mjs";
 import { next } from "./next.mjs";
-import { keyed, modified } from "./wiring.mjs";
+import { keyed, modified, uncover } from "./wiring.mjs";
 
 const FINE = 4000; // steps of the slider: about half a pixel
 const TYPED_INTO = "input, select, textarea, [tabindex='0']:not(button), a, summary"; // what has keys of its own
@@ -133,7 +133,7 @@ export class Time {
     control.closest("details")?.setAttribute("open", "");
     if (control.matches("button")) control.click();
     else {
-      if (!control.checkVisibility()) document.querySelector(".alone > .enlarge")?.click();
+      uncover(control);
       control.focus();
     }
   }

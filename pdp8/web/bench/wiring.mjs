@@ -20,6 +20,11 @@ export function wire(/** @type {Bench} */ bench) {
   }
 }
 
+/** Let a pane that fills the page be as large as the others again, if it hides an element. */
+export function uncover(/** @type {Element} */ element) {
+  if (!element.checkVisibility()) document.querySelector(".alone > .enlarge")?.click();
+}
+
 /** Whether a key is pressed with another: Alt with an arrow, Ctrl with a digit are the browser's. */
 export const modified = (/** @type {KeyboardEvent} */ { ctrlKey, altKey, metaKey }) => ctrlKey || altKey || metaKey;
 
