@@ -10,8 +10,9 @@ Its file is run as Python runs any file: fit no device whose file you would not 
 import os
 from collections.abc import Iterable
 from functools import cache
-from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
 from traceback import extract_tb
+from types import ModuleType
 
 from pdp8.computer.hardware.bus import Device, Peripheral
 from pdp8.computer.hardware.devices import one_of_each
@@ -113,15 +114,14 @@ def fault(error: BaseException) -> str:
 def _device(file: str, name: str) -> type[Device]:
     if not os.path.isfile(file):
         raise WorkError(f"{file}: no such file")
-    spec = spec_from_file_location(os.path.splitext(os.path.basename(file))[0], file)
-    if spec is None or spec.loader is None:
+    if not file.endswith(".py"):
         raise WorkError(f"{file}: a device is in a Python file, NAME.py")
-    module = module_from_spec(spec)
-    setattr(module, _MARK, file)
-    try:
-        spec.loader.exec_module(module)
+    path = os.path.abspath(file)
+    module = ModuleType(Path(file).stem)
+    vars(module).update({"__file__": path, _MARK: file})
+    try:  # not as an import, which would leave its bytecode in the user's folder
+        exec(compile(Path(file).read_bytes(), path, "exec"), vars(module))
     except (Exception, SystemExit) as error:
-        path = os.path.abspath(file)
         lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename == path]
         line = getattr(error, "lineno", None) or (lines or [None])[-1]
         where = f", line {line}" if line else ""
