@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any, TypeVar, get_args
@@ -12,7 +13,7 @@ from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
 from pdp8.cli.shared.rules import field, flag, of, option
-from tapes.errors import WorkError, naming
+from tapes.errors import TapeError, WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
 from tapes.text import lines_of
@@ -340,7 +341,7 @@ def work(
     path, error = cut_so_far(tape, settings)
     if error is not None:
         raise error
-    nominal = named.nominal(metric.mm, tolerance) or _made_for(tape.name, path)
+    nominal = named.nominal(metric.mm, tolerance) or _made_for(tape, path)
     known = nominal or Nominal("line", ())
     across = 1000 * (cutter or known.cutter)
     return Work(
@@ -352,21 +353,28 @@ def work(
     )
 
 
-def _made_for(tape: str, path: "Path") -> Nominal | None:
+def _made_for(tape: Tape, path: "Path") -> Nominal | None:
     """Return the curve from the file beside the tape or from its part program, if their blocks match."""
+    from nc import machine
     from programs.parts import PARTS
 
-    blocks = companion.digest(block.digits for block in path.blocks)
-    name = companion.beside(tape)
-    if tape != "-" and os.path.isfile(name) and companion.is_one(text := shelf.read_text(name)):
+    if tape.name == "-":
+        return None
+    read = [path]
+    if tape.strict:  # the first block may be left out
+        with suppress(TapeError):
+            read.append(machine.cut(shelf.read(tape.name)))
+    digests = [companion.digest(block.digits for block in each.blocks) for each in read]
+    name = companion.beside(tape.name)
+    if os.path.isfile(name) and companion.is_one(text := shelf.read_text(name)):
         with naming(name):
             nominal, of = companion.read(text)
-        if of == blocks:
+        if of in digests:
             return nominal._replace(source=f"{name}, {nominal.source}")
         command.say(f"{name} is of another tape, as its blocks differ: not used; --profile {name} uses it")
-    stem = os.path.splitext(os.path.basename(tape))[0]
+    stem = os.path.splitext(os.path.basename(tape.name))[0]
     part = PARTS.get(stem)
-    if part and part.has_defaults and companion.digest(lines_of(part.program()())) == blocks:
+    if part and part.has_defaults and companion.digest(lines_of(part.program()())) in digests:
         followed = part.nominal()
         return followed and followed._replace(source=f"pdp8 part {stem}")
     return None
