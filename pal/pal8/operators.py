@@ -141,12 +141,10 @@ class Operators:
         if self._exact:
             lexer.end_file()
             return
-        lines = lexer.lines
-        tape = lines[lexer.index].tape
-        for line in lines[lexer.index + 1 :]:
-            if line.tape == tape and line.text.strip(" \t$"):
-                self._log.note("PN48", self._start)
-                break
+        tape = lexer.lines[lexer.index].tape
+        rest = [line.text for line in lexer.lines[lexer.index + 1 :] if line.tape == tape]
+        if any(text.partition("/")[0].strip(" \t;>$") for text in [lexer.text()[lexer.before :], *rest]):
+            self._log.note("PN48", self._start)
 
     def eject(self) -> None:
         """EJECT: ignore the new page's title, which goes up to a `;` or comment."""
