@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from pal.assembly import PAL3, PAL8
 from pal.diagnostics import Diagnostic
-from pal.document import Document, Span
+from pal.document import SYMBOL, Document, Span
 from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
 from pal.pieces import comment
 
@@ -56,9 +56,17 @@ def fixes(document: Document, tape: int, found: Diagnostic) -> Iterator[Fix]:
             [(span._replace(start=text.index(":", span.start), end=text.index(":", span.start) + 1), ",")],
         )
     elif found.code == NO_SLASH:
-        yield Fix("Make it a comment", [(Span(tape, line, span.start, span.start), "/")])
+        start = _as_text(document, found, text[: span.start].strip(" \t"), span.start)
+        yield Fix("Make it a comment", [(Span(tape, line, start, start), "/")])
     elif found.code == _ILLEGAL_REFERENCE:
         yield from _through_a_pointer(document, span)
+
+
+def _as_text(document: Document, found: Diagnostic, before: str, start: int) -> int:
+    """Return where text begins: at the undefined name `before` it, which looks like a tag, or at `start`."""
+    names = [each for each in document.assembly.diagnostics if each.code in _UNDEFINED]
+    at = [name.column - 1 for name in names if (name.file, name.line) == (found.file, found.line)]
+    return at[0] if SYMBOL.fullmatch(before) and at and at[0] < start else start
 
 
 def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:

@@ -536,6 +536,8 @@ def test_what_is_offered_mends_the_line_and_moves_no_other(dialect: str) -> None
                     left = [each.code for each in after.found(0)]
                     assert left.count(found.code) < said.count(found.code)
                     assert {code for code in left if code[:2] == "PN"} <= {*said, "PN36"}
-                    if found.code != NO_SLASH:
+                    if found.code == NO_SLASH:
+                        assert found.line not in [each.line for each in after.found(0) if each.error]
+                    else:
                         there = after.assembly.words.items()
                         assert {(at, word) for at, word in words.items() if at not in own} <= {*there}
