@@ -118,6 +118,8 @@ def pal(
     tape = (output or _beside(sources[0])) if asked else None
     passes = _passes(tty, sources[0])
     written = [tape, listing, symbols, json, *filter(os.path.exists, passes)]
+    if tape == sources[0] != "-" and not output:
+        _check_kinds(sources[:1], [_read(sources[0])], False)
     arguments.check_files(sources, written)
     capacity = HIGH_SPEED_SYMBOLS if high_speed_reader else TELETYPE_SYMBOLS
     contents = [_read(source) for source in sources]
@@ -196,7 +198,12 @@ def _coloured(diagnostic: Diagnostic) -> str:
 
 
 def _read(name: str) -> bytes:
+    from tapes import codes, dectape
+
     content = shelf.read(name)
+    if (what := dectape.image(len(content))) and codes.recognise(content) is not codes.ASCII:
+        cure = "; `pdp8 tape show` lists its files" * dectape.is_image(content)
+        raise AssemblyError(f"{called(name)}: {what}, not PAL source{cure}")
     if not content.strip(b"\0\x80\xff\r\n\x8d\x8a"):
         raise AssemblyError(f"{called(name)}: the source is empty")
     return content
@@ -212,7 +219,8 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> Non
             raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
         code = codes.recognise(content)
         if not ok and (isinstance(code, Words) or code is codes.EIA):
-            raise AssemblyError(f"{called(name)}: a tape in {code.name.upper()}, not PAL source")
+            cure = "; `pdp8 dis` makes a source of it" * isinstance(code, Words)
+            raise AssemblyError(f"{called(name)}: a tape in {code.name.upper()}, not PAL source{cure}")
 
 
 def _counted(errors: int) -> str:
