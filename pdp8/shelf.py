@@ -14,7 +14,7 @@ from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, BinaryIO
 
 from tapes.errors import WorkError, called
-from tapes.text import is_utf16
+from tapes.text import is_utf16, without_mark
 
 if TYPE_CHECKING:
     from pdp8.computer.use.program import Program
@@ -24,7 +24,6 @@ HIDES = "is the file in this folder, not the bundled one of that name"
 LARGEST = 2 << 20
 """Bytes of a file, frames of a tape: 3.3 miles, which a Teletype reads in 58 hours."""
 
-_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _TAPES = (".asc", ".eia", ".bin", ".rim")
 _BUNDLED = {"tapes": _TAPES, "programs": (".pal", ".for")}
 _BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
@@ -222,15 +221,13 @@ def remember(path: str) -> None:
 
 def read_text(name: str, most: int = LARGEST) -> str:
     """Return the text of a file as `read` does, without a byte order mark. Raises ShelfError if not UTF-8."""
+    content = read(name, most)
+    text = without_mark(content)
     try:
-        return read(name, most).decode().removeprefix("\ufeff")
+        return text.decode()
     except UnicodeDecodeError as error:
-        raise ShelfError(f"{called(name)}: byte {error.start}: not UTF-8") from error
-
-
-def without_mark(content: bytes) -> bytes:
-    """Return the content of a text file without the byte order mark that an editor put there."""
-    return content.removeprefix(_BYTE_ORDER_MARK)
+        at = len(content) - len(text) + error.start
+        raise ShelfError(f"{called(name)}: byte {at}: not UTF-8") from error
 
 
 def identity(name: str) -> object:

@@ -14,6 +14,7 @@ from tapes import codes, doubts, eia, frames, octal, redundancy, spelled
 from tapes.code import Characters
 from tapes.errors import TapeError, TextError
 from tapes.loaders import Words
+from tapes.text import without_mark
 
 TEXT, OCTAL, FRAMES = "text", "octal", "frames"
 FORMS: Final = (TEXT, *(code.name for code in codes.CODES), OCTAL)
@@ -94,6 +95,7 @@ def _without_title(content: bytes, code: Characters, accept: bool) -> tuple[byte
 
 def typed(content: bytes) -> str:
     r"""Return the text of a file, its lines ended by "\n". Raises TextError where it is not UTF-8."""
+    content = without_mark(content)
     try:
         return _with_line_feeds(content)
     except UnicodeDecodeError as error:
@@ -102,4 +104,4 @@ def typed(content: bytes) -> str:
 
 
 def _with_line_feeds(content: bytes) -> str:
-    return content.decode().removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    return content.decode().replace("\r\n", "\n").replace("\r", "\n")

@@ -24,9 +24,14 @@ def lines_of(text: str) -> list[str]:
     return found if found[-1] else found[:-1]
 
 
+def without_mark(content: bytes) -> bytes:
+    """Return the content of a text file without the byte order mark that an editor put there."""
+    return content[3:] if content.startswith(_BYTE_ORDER_MARK) else content
+
+
 def in_ascii(content: bytes) -> str:
     """Return a file as text, without a byte order mark; "" for one that is not all ASCII."""
-    text = content[3:] if content.startswith(_BYTE_ORDER_MARK) else content
+    text = without_mark(content)
     return "" if not text.isascii() or b"\0" in text else text.decode("ascii")
 
 

@@ -12,7 +12,7 @@ from pdp8.lessons.answer import Answer
 from tapes import codes
 from tapes.errors import WorkError, called
 from tapes.loaders import Words
-from tapes.text import is_utf16, lines_of
+from tapes.text import is_utf16, lines_of, without_mark
 
 LARGEST = 16 * 1024
 LONGEST = 200
@@ -44,7 +44,7 @@ def of(content: bytes, name: str) -> Answer:
         return Answer(name, fault=f"more than {LARGEST:,} bytes")
     if is_utf16(content):
         return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
-    content = shelf.without_mark(content)
+    content = without_mark(content)
     code = codes.recognise(content)
     try:
         if isinstance(code, Words):
