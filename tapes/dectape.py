@@ -94,4 +94,4 @@ def is_image(content: bytes) -> bool:
 
 def packed(words: "Iterable[int]") -> bytes:
     """Return words as images have them: each in two bytes, the low one first."""
-    return bytes(part for word in words for part in (word & 0o377, word >> 8))
+    return bytes([part for word in words for part in (word & 0o377, word >> 8)])

@@ -92,8 +92,8 @@ class Machine:
         self.watch = Watch()
         self.recorder: Recorder | None = None
         """Who records what happens, so that it can be undone."""
-        self._watched: tuple[frozenset[int], ...] = (frozenset(), frozenset())
-        """The breakpoints, and the words, that are known to be addresses."""
+        self._watched: tuple[frozenset[int], ...] = (frozenset(), frozenset(), frozenset())
+        """The breakpoints, and the words watched for writes and reads, that are known to be addresses."""
         self._marks = b""
         """The watched breakpoints, as Waiting has them."""
         self._observer: Observer | None = None
@@ -298,12 +298,13 @@ class Machine:
         watched = frozenset(watch.breakpoints), frozenset(watch.writes), frozenset(watch.reads)
         if watched == self._watched:
             return
+        last = self.memory - 1
         for places in watched:
-            for place in places:
-                allowed(place, "a breakpoint", self.memory - 1)
+            for place in [each for each in places if not (isinstance(each, int) and 0 <= each <= last)]:
+                allowed(place, "a breakpoint", last)
         self._watched = watched
         parts = (6, 0) if self.memory == FIELD else (12, 6, 0)
-        self._marks = bytes(address >> part & 0o77 for address in sorted(watched[0]) for part in parts)
+        self._marks = bytes([address >> part & 0o77 for address in sorted(watched[0]) for part in parts])
 
     def _run(self, until: int, last: int) -> Reason:
         """Run the engine, which watches only breakpoints."""

@@ -146,7 +146,8 @@ class Tried:
             stop = machine.run(seconds=max(seconds - machine.elapsed, 0))
             if stop.reason is Reason.BREAKPOINT:  # what it has written and what it calls is its own now
                 entry = machine.ma if machine.ir == JMS else -1
-                self._free = {at for at in self._free if self.left(at) and at != entry}
+                core, filled = machine.processor.core, self._filled
+                self._free = {at for at in self._free if core[at] == filled[at] and at != entry}
                 watch.breakpoints = set(self._free)
         watch.breakpoints = set()
         return stop

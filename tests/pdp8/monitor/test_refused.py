@@ -19,11 +19,11 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.monitor.commands import COMMANDS
 from pdp8.monitor.prompt import Monitor
-from tapes import dectape
 from tapes.errors import WorkError
 from tests import commands
 from tests.pdp8.monitor import do, session
 
+REEL = bytes(380_292)
 REFUSED = {
     "examine": "|9|200 9|20:17|CHK-CHK|NOPE|7777/2|200/10001",
     "deposit": "|200|200 7402 9|200 1 10000|203-200 1|200-203 1 2|7777 1 2|200 -1",
@@ -126,8 +126,8 @@ def monitor(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Monitor
     (tmp_path / "kept").write_bytes(b"kept")
     (tmp_path / "fails").write_text("echo\ndo missing\n")
     (tmp_path / "leaps").write_text("goto NOWHERE\n")
-    (tmp_path / "reel.tu56").write_bytes(dectape.blank().content())
-    (tmp_path / "big.tu56").write_bytes(b"\xff" * len(dectape.blank().content()))
+    (tmp_path / "reel.tu56").write_bytes(REEL)
+    (tmp_path / "big.tu56").write_bytes(b"\xff" * len(REEL))
     (tmp_path / "kept").chmod(0o444)
     (tmp_path / "soft").symlink_to("in.asc")
     (tmp_path / "locked").mkdir(mode=0o555)
