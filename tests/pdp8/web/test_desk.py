@@ -284,6 +284,7 @@ _BACK = ("take(new File([window.held], 'a.state'))", "afternoon.go(3.8e10)")
 
 
 @needs_node
+@pytest.mark.slow("5 s")
 def test_nothing_of_the_machine_before_is_left(file: Path) -> None:
     """A saved machine that is opened, and an instant of the afternoon, are the same whatever was done."""
     with small.visit(file, DESK) as page:

@@ -89,6 +89,7 @@ def test_the_desk(file: Path) -> None:
 
 
 @needs_node
+@pytest.mark.slow("5 s")
 def test_the_figures(tmp_path: Path) -> None:
     html = tmp_path / "curve.html"
     html.write_text(curve.page(), encoding="utf-8")

@@ -89,7 +89,7 @@ def test_expressions_have_the_same_value(tmp_path: Path) -> None:
     """All are gathered first and run in one Node.js; the shortest that differs is shown."""
     gathered: list[tuple[str, dict[str, Any], Any]] = []
 
-    @settings(max_examples=200, database=None, phases=[Phase.generate])
+    @settings(max_examples=100, database=None, phases=[Phase.generate])
     @given(expression=expressions, names=values)
     def gather(expression: str, names: dict[str, Any]) -> None:
         gathered.append((expression, names, _value(expression, names)))
