@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterable
 from typing import NoReturn
 
-from pdp8.web.translator.inference import Types
+from pdp8.web.translator.inference import Types, rebound
 from pdp8.web.translator.operators import OPERATORS, Operand, Operator, is_direct
 from pdp8.web.translator.program import Found, Untranslated
 from pdp8.web.translator.types import (
@@ -198,7 +198,9 @@ class Expressions(Types):
             case ast.Compare(left, operators, rights):
                 return self._compared(node, left, operators, rights)
             case ast.NamedExpr(target, value):
-                return f"({self.e(target)} = {self.e(value)})"
+                text = f"({self.e(target)} = {self.e(value)})"
+                self.forget(*rebound(node))
+                return text
             case ast.Subscript(value, index):
                 return self._indexed(value, index)
             case ast.Tuple(items) | ast.List(items):
@@ -727,6 +729,8 @@ class Expressions(Types):
         loops, names = list[str](), list[str]()
         parts = (part for each in (value, *generators) for part in ast.walk(each))
         late = bool(first) or any(isinstance(each, ast.Lambda) for each in parts)
+        for each in (value, *generators):
+            self.forget(*rebound(each))
         with self.naming({}):
             for at, generator in enumerate(generators):
                 sets = set().union(*(_names_in(each.target) for each in generators[at:]))

@@ -7,8 +7,9 @@ Nothing is refused here: where nothing is known the type is ANY. What a test say
 import ast
 import re
 from collections import ChainMap
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
+from functools import cache
 
 from pdp8.web.translator.operators import arithmetic
 from pdp8.web.translator.program import Found, Module, Parameter, Program, own, set_in
@@ -83,8 +84,7 @@ class Types:
         """Give these names these types within the block; then forget them and what tests said in it."""
         scope, held = self.scope, self.held
         self.scope, self.held = scope.new_child(dict(names)), dict(held)
-        for name in names:
-            self.forget(name)
+        self.forget(*names)
         try:
             yield
         finally:
@@ -447,12 +447,12 @@ class Types:
         """Learn the types of the names that a comprehension's loop sets; return them."""
         sets = {leaf(target): kind for target, kind in self._set_by(generator)}
         self.scope |= sets
-        for name in sets:
-            self.forget(name)
+        self.forget(*sets)
         return [*sets]
 
     def _comprehended(self, node: ast.ListComp | ast.GeneratorExp | ast.SetComp | ast.DictComp) -> Type:
         with self.naming({}):
+            self.forget(*rebound(node))
             for generator in node.generators:
                 self.entered(generator)
                 for test in generator.ifs:
@@ -702,21 +702,17 @@ class Types:
     @contextmanager
     def holding(self, test: ast.expr, positive: bool) -> Iterator[None]:
         """Within the block, use what the test implies if it is true, or if it is false."""
-        said = self.said(test, positive)
-        if not said:
-            yield
-            return
-        held, self.held = self.held, self.held | said
+        held = self.held
+        inside = _without(held, rebound(test)) | self.said(test, positive)
+        self.held = dict(inside)
         try:
             yield
-        finally:
-            self.held = held
+        finally:  # what was forgotten in the block stays so
+            self.held = {key: kind for key, kind in held.items() if key in self.held or key not in inside}
 
-    def forget(self, name: str) -> None:
-        """Forget what tests said of a name, and of its attributes."""
-        pattern = re.compile(rf"\b{re.escape(name)}\b")
-        for each in [each for each in self.held if pattern.search(each)]:
-            del self.held[each]
+    def forget(self, *names: str) -> None:
+        """Forget what tests said of names, and of their attributes."""
+        self.held = _without(self.held, names)
 
     def said(self, test: ast.expr, positive: bool) -> dict[str, Type]:
         """Return the types of names and attributes if a test is true, or if it is not: {source: type}."""
@@ -730,8 +726,8 @@ class Types:
                     return {name: join(*(one[name] for one in said)) for name in names}
                 held, found = self.held, dict[str, Type]()
                 for value in values:
-                    found |= self.said(value, positive)
-                    self.held = held | found
+                    found = _without(found, rebound(value)) | self.said(value, positive)
+                    self.held = _without(self.held, rebound(value)) | found
                 self.held = held
                 return found
             case ast.Compare(
@@ -784,6 +780,18 @@ class Types:
         names = {each.kind.name for each in self.program.lineage(of)} if of else set[str]()
         also = {"word": "int", "bool": "int", "row": "tuple"}
         return names | {kind.name, also.get(kind.name, kind.name), self.plain(kind).name}
+
+
+@cache
+def rebound(node: ast.AST) -> frozenset[str]:
+    """Return the names that `:=` sets in an expression."""
+    return frozenset(each.target.id for each in own([node]) if isinstance(each, ast.NamedExpr))
+
+
+def _without(held: dict[str, Type], names: Collection[str]) -> dict[str, Type]:
+    """Return what tests said of other names than these and their attributes."""
+    pattern = re.compile(rf"\b({'|'.join(map(re.escape, names))})\b")
+    return {key: kind for key, kind in held.items() if not (names and pattern.search(key))}
 
 
 def _of_constant(value: object) -> Type:

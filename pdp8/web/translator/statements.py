@@ -167,8 +167,8 @@ class Statements(Calls):
 
     def _while(self, test: ast.expr, body: list[ast.stmt]) -> list[str]:
         self._set_in(body)
-        before = dict(self.held)
         head = f"while ({self.test(test)})"
+        before = dict(self.held)
         self.held = before | self.said(test, True)
         lines = self._loop(head, body)
         breaks = any(isinstance(each, ast.Break) for each in own(body))
