@@ -29,7 +29,7 @@ def lines(path: Path, modes: bool = False) -> Iterator[str]:
 def _modes(step: Step, now: float) -> str:
     modes = step.modes
     feeds = "".join(f"{_or_dash(feed, '.1f'):>8}" for feed in (modes.x_feed, modes.y_feed, modes.z_feed))
-    minutes, seconds = divmod(now, 60)
+    minutes, seconds = divmod(round(now, 1), 60)
     return (
         f"{step.at.z / 1000:10.3f}{feeds}{_or_dash(modes.spindle, 'd'):>6}{_or_dash(modes.tool, '02d'):>5}"
         f" {modes.coolant:>7} {'partial' if modes.partial_retract else 'full':>7}"

@@ -26,6 +26,7 @@ def test_the_circle_begins() -> None:
 def test_modes_and_the_clock_after_each_block() -> None:
     table = list(lines(nc.cut(CIRCLE), modes=True))
     assert "3.500     1.0     1.0     1.0  2000   01    mist    full    36:42.7  mill X" in table[666]
+    assert "    29:00.0  mill Y" in table[517]
     blocks = (*HEADER, "007 6 02250 04133 0 01 85", "008 0 02250 04133 0 00 81")
     heading, *_, last = lines(nc.cut(tape(*blocks)), modes=True)
     assert [heading[36:], last[36:]] == [
