@@ -5,7 +5,7 @@ and every CI service shows, and what Gradescope reads.
 import csv
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from xml.etree import ElementTree
 
 from pdp8.lessons import scores
@@ -16,12 +16,17 @@ from tapes import errors
 
 def as_csv(exercise: Exercise, results: Sequence[Result]) -> str:
     """Return the marks as CSV: a row an answer, a column a case or question."""
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(["answer", *map(_cell, exercise.names), "points", "of", "fault"])
+    rows = [["answer", *map(_cell, exercise.names), "points", "of", "fault"]]
     for result in results:
         points = [f"{mark.points}" for mark in result.marks] or ["0"] * len(exercise.names)
-        rows.writerow([_cell(result.answer), *points, result.points, result.of, _cell(result.fault)])
+        sums = f"{result.points}", f"{result.of}"
+        rows.append([_cell(result.answer), *points, *sums, _cell(result.fault)])
+    return _rows(rows)
+
+
+def _rows(rows: Iterable[Sequence[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
 
 
@@ -103,7 +108,7 @@ def as_junit(exercise: Exercise, results: Sequence[Result]) -> str:
 
 def as_list(seeds: Mapping[str, int]) -> str:
     """Return CSV with the seed of each answer's random cases."""
-    return "".join(f"{_cell(name)},{seed}\n" for name, seed in {"answer": "seed", **seeds}.items())
+    return _rows([["answer", "seed"], *([_cell(name), f"{seed}"] for name, seed in seeds.items())])
 
 
 def as_gradescope(exercise: Exercise, result: Result) -> str:

@@ -1,5 +1,6 @@
 """A class: random and hidden cases, hints by what happened, numbers with units, bounds, and its results."""
 
+import csv
 import json
 import pickle
 import signal
@@ -391,12 +392,12 @@ def test_each_name_has_cases_of_its_own(call: Call, tmp_path: Path, monkeypatch:
     """The seed that is listed marks an answer as it was marked in the class."""
     monkeypatch.chdir(tmp_path)
     Path("e.toml").write_text(RANDOM)
-    for name in ("ana", "ben"):
+    for name in ("ana,b", "ben"):
         Path(f"{name}.pal").write_text(parse(RANDOM, "e").solution.replace("RAL", "RAR"))
-    assert call("pdp8 check e.toml ana.pal ben.pal --variants seeds.csv --json both.json")[0] == 1
-    head, *rows = Path("seeds.csv").read_text().splitlines()
-    seeds = dict(row.split(",") for row in rows)
-    assert (head, list(seeds), len(set(seeds.values()))) == ("answer,seed", ["ana.pal", "ben.pal"], 2)
+    assert call("pdp8 check e.toml ana,b.pal ben.pal --variants seeds.csv --json both.json")[0] == 1
+    head, *rows = csv.reader(Path("seeds.csv").read_text().splitlines())
+    seeds = dict(rows)
+    assert (head, [*seeds], len({*seeds.values()})) == (["answer", "seed"], ["ana,b.pal", "ben.pal"], 2)
     both = json.loads(Path("both.json").read_text())["answers"]
     assert both[0]["marks"][0]["inputs"] != both[1]["marks"][0]["inputs"]
     call(f"pdp8 check e.toml ben.pal --seed {seeds['ben.pal']} --json ben.json")
