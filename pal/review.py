@@ -100,7 +100,7 @@ def _of_the_end(source: Source, tapes: int, ended: int) -> list[Note]:
     notes = []
     for at in range(ended + 1, len(source.items) - 1):
         item, mark = source.items[at]
-        if item or mark not in "\r \t":
+        if item or mark not in "\r \t\x1a":
             if source.place(at).tape == source.place(ended).tape:
                 notes = [note("PN03", at)]
             break

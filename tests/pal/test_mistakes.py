@@ -89,7 +89,7 @@ def test_what_is_said_of_a_mistake_is_said_wherever_it_is_written() -> None:
             assert said(dialect, "*200\n\tHLT\n$\n" + text, but="PN03") == []
             here = said(dialect, text + "$\n", but="PN36 PN55")
             if "value for no symbol" not in title:
-                assert said(dialect, "\n", text + "$\n", but="PN36 PN55") == here
+                assert said(dialect, "\n", text + "$\n\x1a\0", but="PN36 PN55") == here
             lines = text.split("\n")
             pauses = [at for at, line in enumerate(lines, 1) if line.strip() == "PAUSE"]
             cut = pauses[0] if pauses else len(lines) // 2
