@@ -128,6 +128,7 @@ def sit_down(
             feed.announce_next()
 
     terminal = Terminal(pass_on)
+    terminal.resume, feed.idle = feed.resume, terminal.asked
     click.echo("Teletype on line; Ctrl-] stops, and leaves to the monitor.", err=True)
     stop, left = terminal.run(machine, max_time, realtime, next_tape)
     terminal.end_line()
@@ -135,6 +136,7 @@ def sit_down(
         return stop
     made = Monitor(terminal.say, machine, listing)
     made.realtime, made.waiting_tapes = realtime, feed.names
+    feed.idle = lambda: terminal.asked() or made.stopping
     if mounted is not None:
         made.reels = mounted
     made.say_stop(stop)

@@ -23,7 +23,7 @@ from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.machine import Machine
-from pdp8.computer.past.history import History
+from pdp8.computer.past.history import History, PipedHistory
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import DEPARTURES, ended, explained, may_be_wrong, rerun, sentences
 from pdp8.computer.use.program import Program
@@ -218,7 +218,7 @@ class _Run:
             bootstrap.boot(self.machine, booted.bootstrap)
         self.began = self.machine.values()
         if self.paged or self.feed.left:
-            History(self.machine)
+            PipedHistory(self.machine)
 
     @property
     def listing(self) -> Listing:

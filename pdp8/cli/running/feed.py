@@ -36,6 +36,8 @@ class Feed:
         self._name = ""
         self._passed = 0
         self._looked = not names
+        self._awaited: bytes | None = None
+        """What a silent pipe had given when `idle` gave up."""
 
     @property
     def read(self) -> int:
@@ -55,6 +57,15 @@ class Feed:
             self._reader.device.look()
         else:
             self._warn(self._reader.tape)
+        return True
+
+    def resume(self, reader: Reader) -> bool:
+        """Wait again for the pipe that `idle` gave up, if it still is what `reader` has; return whether."""
+        if reader is not self._reader or reader.tape != self._awaited:
+            return False
+        self._awaited = None
+        reader.more = self._more
+        reader.device.look()
         return True
 
     @property
@@ -91,6 +102,7 @@ class Feed:
         try:
             while not select.select([self._file], [], [], 0)[0]:
                 if self.idle():
+                    self._awaited = self._reader.tape
                     return b""
                 select.select([self._file], [], [], _LOOK)
             frames = os.read(self._file, _PIECE)

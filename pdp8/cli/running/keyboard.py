@@ -15,7 +15,7 @@ from prompt_toolkit.key_binding import KeyPress
 
 from pdp8.cli.running import pacing
 from pdp8.cli.shared import command
-from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.hardware.teletype import Reader, printed
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.keys import sent
@@ -31,6 +31,19 @@ class Terminal:
     def __init__(self, pass_on: Callable[[], object] = lambda: None) -> None:
         self._pass_on = pass_on
         self._page = _Page()
+        self._keys: Input | None = None
+        """What is typed at a running machine."""
+        self._typed = ""
+        """What was typed while a tape was awaited."""
+        self.resume: Callable[[Reader], bool] = lambda reader: False
+        """Waits for further frames of the tape in the reader, if it has not ended."""
+
+    def asked(self) -> bool:
+        """Whether something is typed at the running machine."""
+        if self._keys is not None and not self._typed:
+            self._pass_on()
+            self._typed = typed(self._keys, 0)
+        return self._keys is not None and (bool(self._typed) or self._keys.closed)
 
     def run(
         self,
@@ -43,16 +56,21 @@ class Terminal:
         keys = create_input()
 
         def take(seconds: float) -> bytes | None:
-            if machine.teletype.reader.empty():
-                next_tape()
-            text = typed(keys, seconds)
+            reader = machine.teletype.reader
+            text, self._typed = self._typed or typed(keys, seconds), ""
             before = min((text.find(escape) for escape in ESCAPES if escape in text), default=-1)
             if before >= 0:
                 machine.teletype.keyboard.press(sent(text[:before]))
+            elif reader.empty() and not self.resume(reader):
+                next_tape()
             return None if before >= 0 or keys.closed else sent(text)
 
-        with self.printing(machine), keys.raw_mode():
-            stop = pacing.live(machine, max_time, self._pass_on, take, realtime)
+        self._keys, self._typed = keys, ""
+        try:
+            with self.printing(machine), keys.raw_mode():
+                stop = pacing.live(machine, max_time, self._pass_on, take, realtime)
+        finally:
+            self._keys = None
         if stop is not None:
             return stop, False
         machine.stop()

@@ -267,3 +267,31 @@ class History:
     def _run_to(self, clock: int) -> None:
         while (ticks := clock - self.machine.processor.clock) > 0:
             self.machine.run(seconds=ticks / TICKS_PER_SECOND)
+
+
+class PipedHistory(History):
+    """The past of a machine whose Teletype may read a tape that is still being made: it has all of the tape."""
+
+    def ended(self, reason: str, in_cycles: bool) -> None:
+        """Record the end of a run, and what has come of the tape."""
+        name, place = "devices 03 reader tape", "devices 03 reader position"
+        tape = self.machine.teletype.reader.tape
+        for mark in reversed(self._marks if tape != self._began[name] else ()):
+            if not tape.startswith(mark.values.get(name, b"")):
+                break
+            if name in mark.values:
+                mark.values[name] = tape
+            if not mark.whole and mark.values.get(place) == 0:  # it was put in
+                break
+        super().ended(reason, in_cycles)
+
+    @contextmanager
+    def going_back(self) -> Iterator[None]:
+        """Let the machine run unrecorded, as History does, and take no more of the tape."""
+        reader = self.machine.teletype.reader
+        more, reader.more = reader.more, None
+        try:
+            with super().going_back():
+                yield
+        finally:
+            reader.more = more

@@ -57,6 +57,7 @@ OMITTED = {
     "pal.assembly": "__iter__ __repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
+    "pdp8.computer.past.history": "PipedHistory",
     "pdp8.computer.use.ending": "rerun",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement",
     "nc.path": "__repr__ array",

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from threading import Timer
 
 import click
 import pytest
@@ -232,6 +233,34 @@ def test_the_monitor_has_what_the_run_had_and_all_that_it_punches(
         assert Path("p").read_bytes().endswith(b"\xff")
     assert (made[0].realtime, made[0].waiting_tapes, "dt0" in made[0].reels.places) == (True, ["c"], True)
     assert made[0].address("N") == 0o201
+
+
+def test_a_silent_pipe_holds_no_key_up_and_is_whole_after_a_step_back(
+    keys: PipeInput, call: Call, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    end, other = os.pipe()
+
+    def converse(prompt: Monitor, terminal: Terminal) -> None:
+        assert prompt.machine.teletype.printer.frames == b"A"
+        os.write(other, b"CD")
+        os.close(other)
+        assert terminal.run(prompt.machine, 2)[0].reason is Reason.HALT
+        do(prompt, "back 3 characters")
+        assert terminal.run(prompt.machine, 2)[0].reason is Reason.HALT
+        assert prompt.machine.teletype.printer.frames == b"ABCD"
+        prompts.append(prompt)
+
+    prompts = list[Monitor]()
+    monkeypatch.setattr(keyboard, "create_input", lambda: keys)
+    monkeypatch.setattr(monitor, "converse", converse)
+    os.write(other, b"AB")
+    late = Timer(0.7, keys.send_text, "\x1d")
+    late.start()
+    with folder(READS):
+        status, _, said = call(f"pdp8 run a.pal --keyboard --reader /dev/fd/{end}", terminal=True)
+    assert (status, len(prompts)) == (0, 1), said
+    late.join()
+    os.close(end)
 
 
 def test_echo_is_for_a_script(call: Call) -> None:
