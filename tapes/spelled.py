@@ -28,6 +28,8 @@ _REGISTERS = ("pc", "sr", "ac", "l", "link", "lac", "if", "df")
 _FEWEST = 8
 """Lines of bits or frames, or words without an address."""
 _ROW = 8
+_LAST: Final = 0o77777
+"""The last address of 32K."""
 
 
 class Spelled(NamedTuple):
@@ -58,7 +60,7 @@ class Format(NamedTuple):
     write: Callable[[Mapping[int, int]], list[str]]
 
     def spell(self, words: Mapping[int, int]) -> str:
-        """Return words of 4K in this format."""
+        """Return words in this format."""
         return "".join(row + "\n" for row in self.write(words))
 
 
@@ -98,8 +100,8 @@ def _number(text: str, base: int, least: int, most: int) -> int:
 
 
 def _store(words: dict[int, int], first: int, values: list[int]) -> None:
-    """Put values into words from an address on. Raises ValueError if they do not fit into 4K."""
-    if first + len(values) > 0o10000 or any(value > 0o7777 for value in values):
+    """Put values into words from an address on. Raises ValueError if they do not fit."""
+    if first + len(values) > _LAST + 1 or any(value > 0o7777 for value in values):
         raise ValueError
     for offset, value in enumerate(values):
         words[first + offset] = value
@@ -132,13 +134,11 @@ def _read_readmemh(lines: list[list[str]], words: dict[int, int]) -> int:
             raise ValueError
     for token in tokens:
         number = _number(token.removeprefix("@"), 16, 1, 4)
-        if number > 0o7777:
-            raise ValueError
         if token.startswith("@"):
             address = number
         else:
-            words[address] = number
-            address = address + 1 & 0o7777
+            _store(words, address, [number])
+            address += 1
     return -1
 
 
@@ -150,7 +150,7 @@ def _read_ep(lines: list[list[str]], words: dict[int, int]) -> int:
         if first == "ep":
             start = value
         else:
-            words[_number(first, 16, 1, 3)] = value
+            _store(words, _number(first, 16, 1, 4), [value])
     if start < 0:
         raise ValueError
     return start
@@ -190,21 +190,11 @@ def _read_bits(lines: list[list[str]], words: dict[int, int]) -> int:
 
 def _read_frames(lines: list[list[str]], words: dict[int, int]) -> int:
     numbers = [_number(each.removeprefix("0o"), 8, 3, 4) for line in lines for each in line]
-    if len(numbers) < _FEWEST or len(numbers) % 2 or max(numbers) >= 0o200 or numbers[0] < 0o100:
-        raise ValueError
-    if binary.read_whole(bytes(numbers)) is not None:
+    body = bytes(numbers)
+    strange = [frame for frame in body if frame >= 0o200 and frame & 0o307 != 0o300]
+    if len(body) < _FEWEST or body[0] < 0o100 or strange or binary.read_whole(body) is not None:
         raise ValueError  # a whole tape is a dump of frames
-    address = 0
-    for at in range(0, len(numbers), 2):
-        first, second = numbers[at], numbers[at + 1]
-        if second >= 0o100:
-            raise ValueError
-        value = (first & 0o77) << 6 | second
-        if first >= 0o100:
-            address = value
-        else:
-            words[address] = value
-            address = address + 1 & 0o7777
+    words.update(binary.decode(binary.tape(body, sum([frame for frame in body if frame < 0o300]))).words)
     return -1
 
 
@@ -222,7 +212,7 @@ def _read_intel_hex(lines: list[list[str]], words: dict[int, int]) -> int:
             for offset, value in enumerate(values[4:-1]):
                 content[(values[1] << 8 | values[2]) + offset] = value
         elif values[3] in (2, 4) and any(values[4:-1]):
-            raise ValueError  # beyond 4K
+            raise ValueError  # beyond 64K bytes
     places = sorted({place >> 1 for place in content})
     low = [content.get(2 * place, 0) | content.get(2 * place + 1, 0) << 8 for place in places]
     high = [content.get(2 * place, 0) << 8 | content.get(2 * place + 1, 0) for place in places]

@@ -270,7 +270,7 @@ class History:
 
 
 class PipedHistory(History):
-    """The past of a machine whose Teletype may read a tape that is still being made: it has all of the tape."""
+    """The past of a machine whose Teletype may read a tape that is still being made: all of it is there."""
 
     def ended(self, reason: str, in_cycles: bool) -> None:
         """Record the end of a run, and what has come of the tape."""
