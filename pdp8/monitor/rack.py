@@ -34,6 +34,7 @@ _NEVER = {
 """Devices of SIMH's PDP-8/E, by their names there."""
 _ELSE: dict[str, type[KW8 | PT08]] = {"clk": KW8, "ttix": PT08, "ttox": PT08}
 """What a PDP-8/L could have in their place."""
+_LOCKS = {"locked": 1, "writeenabled": 0}
 _DEVICE = re.compile(r"dt\d+|df0?", re.IGNORECASE)
 
 
@@ -101,6 +102,17 @@ def _check_saved(monitor: Monitor, device: str) -> None:
     """Raise MonitorError if something was written and not saved."""
     if written := monitor.reels.said(device):
         raise MonitorError(f"{written}; detach {device} FILE saves them, or forget drops them")
+
+
+def lock(monitor: Monitor, device: str, value: str) -> bool:
+    """Throw WRITE LOCK of a drive; return False for a word that is not of it."""
+    if value not in _LOCKS:
+        return False
+    place = _mounted(monitor, device)
+    if isinstance(place, reels.Discs):
+        raise MonitorError(f"{device}: no switch locks the discs")
+    place.drive.locked = _LOCKS[value]
+    return True
 
 
 def boot(monitor: Monitor, name: str, *more: str) -> None:

@@ -153,6 +153,8 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
             rack.fit(monitor, kind)
         elif value.startswith("dis") and rack.fitted(monitor, kind):
             raise MonitorError(f"{name}: it is fitted, and cannot be removed")
+        elif not value.startswith("dis") and not rack.lock(monitor, name, value):
+            monitor.say(f"{name} {value}: passed over, it is SIMH's own")
     elif what := rack.absent(monitor, name):
         if not value.startswith("dis"):
             raise MonitorError(f"{name}: {what}")

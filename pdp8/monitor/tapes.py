@@ -163,8 +163,9 @@ def save(monitor: Monitor, name: str) -> None:
 
 
 def restore(monitor: Monitor, name: str) -> None:
-    """Read the machine's state from a file; the listing stays."""
+    """Read the machine's state from a file; the listing stays, tapes and keys that wait do not."""
     text = shelf.read_text(name, state.LARGEST)
     with naming(name):
         monitor.turn_to(text)
+    monitor.waiting_tapes, monitor.once_running = [], []
     monitor.say_where("restored")

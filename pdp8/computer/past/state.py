@@ -34,6 +34,7 @@ _LATEST = 1 << 56
 _ROW = 8
 _FRAMES = 24
 _NEVER = "never"
+_MOUNTS = "pdp8 run --dectape N=FILE, or attach dtN FILE in the monitor"
 
 
 class StateError(WorkError):
@@ -202,7 +203,7 @@ def _medium(given: object, mounted: Medium | None, reels: Mapping[str, Medium], 
     if mounted is not None and mounted.digest == given:
         return mounted
     if not isinstance(given, str) or given not in reels:
-        raise StateError(f"{place}: the state needs the reel whose SHA-256 is {_short(given)}: mount it too")
+        raise StateError(f"{place}: the state needs the reel of SHA-256 {_short(given)}; mount it first: {_MOUNTS}")
     return reels[given]
 
 
@@ -271,4 +272,4 @@ def _check(machine: Machine) -> None:
 
 
 def _short(value: object) -> str:
-    return json.dumps(value)[:60]
+    return json.dumps(value)[:66]  # a digest is whole
