@@ -49,6 +49,7 @@ def replay(part: str, output: str | None, html: str | None, fortran: str | None)
     from pdp8.replay.day import ARRANGED
 
     folder = output or f"replay-{part}"
+    _check(part, folder, html, in_fortran=fortran is not None)
     command.tell(ARRANGED)
     afternoon = _own(part, fortran) if fortran else whole(part, _say_act)
     _leave(afternoon, folder, html)
@@ -79,14 +80,22 @@ def _say_act(act: "Act") -> None:
     command.tell(f"{clock(act.starts):>11}  {act.name:<14} {took}  {act.outcome}")
 
 
+def _check(part: str, folder: str, html: str | None, in_fortran: bool) -> None:
+    """Raise UsageError if the page would replace another file of the replay, ShelfError for a kept file."""
+    from pdp8.replay.desk import names
+
+    paths = [os.path.join(folder, name) for name in names(part, in_fortran)]
+    if html and os.path.realpath(html) in map(os.path.realpath, paths):
+        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
+    for path in filter(os.path.exists, paths):
+        command.check_output(path)
+
+
 def _leave(afternoon: "Afternoon", folder: str, html: str | None) -> None:
-    """Write all files. Raises UsageError if the page would replace another of them."""
+    """Write all files."""
     from pdp8.replay.desk import desk
 
-    files = desk(afternoon)
-    if html and os.path.realpath(html) in {os.path.realpath(os.path.join(folder, name)) for name in files}:
-        raise click.UsageError(f"--html {html} is the name of another file of the replay; name another")
-    command.put_all(folder, files.items())
+    command.put_all(folder, desk(afternoon).items())
     if html:
         from pdp8.web.workbench import page
 

@@ -8,11 +8,28 @@ from nc.plot import plot
 from nc.talyrond import talyrond
 from nc.talysurf import talysurf
 from pdp8.replay.afternoon import Afternoon
+from pdp8.replay.day import PROGRAMS
 from pdp8.replay.figures import compare
+from programs.parts import find
 from tapes import picture
 
 PICTURED: Final = 240
 """Frames of a long tape that its picture shows: its first dozen blocks."""
+
+
+def names(part: str, in_fortran: bool = False) -> list[str]:
+    """Return the names of the files that the afternoon of a part leaves."""
+    made = find(part)
+    own = [f"{part[:6]}.ft"] if in_fortran else []
+    for ending in ("txt", "asc", "eia", "blocks", "asc.svg", "eia.svg", "svg"):
+        own.append(f"{part}.{ending}")
+    if made.nominal() is not None:
+        own.append(_instrument(made.instrument))
+    return [*own, "bin.rim", "eia.bin", *(name.replace(".pal", ".lst") for name in PROGRAMS), "figures.txt"]
+
+
+def _instrument(name: str | None) -> str:
+    return f"{(name or 'inspection').lower()}.svg"
 
 
 def desk(afternoon: Afternoon) -> dict[str, bytes]:
@@ -45,4 +62,4 @@ def _pictures(afternoon: Afternoon) -> Iterator[tuple[str, str]]:
     yield f"{part}.svg", drawing
     if inspection:
         draw = talyrond if inspection.curve.closed else talysurf
-        yield f"{(made.instrument or 'inspection').lower()}.svg", draw(inspection)
+        yield _instrument(made.instrument), draw(inspection)

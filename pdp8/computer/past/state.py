@@ -203,7 +203,9 @@ def _medium(given: object, mounted: Medium | None, reels: Mapping[str, Medium], 
     if mounted is not None and mounted.digest == given:
         return mounted
     if not isinstance(given, str) or given not in reels:
-        raise StateError(f"{place}: the state needs the reel of SHA-256 {_short(given)}; mount it first: {_MOUNTS}")
+        raise StateError(
+            f"{place}: the state needs the reel of SHA-256 {_short(given)}; mount it first: {_MOUNTS}"
+        )
     return reels[given]
 
 

@@ -37,8 +37,9 @@ BEFORE = {
 }
 """What was done before, and ended."""
 NOW = [
-    "load eia.pal", "go 200 0.5", "reader in.asc in.asc", "go 200 1", "page more", "cont", "page", "registers", "key stop",
-    "step 2", "back 1 characters", "examine 0200-0203", "key start", "until 1 2", "page more",
+    "load eia.pal", "go 200 0.5", "reader in.asc in.asc", "go 200 1", "page more", "cont", "page",
+    "registers", "key stop", "step 2", "back 1 characters", "examine 0200-0203", "key start", "until 1 2",
+    "page more",
 ]  # fmt: skip
 
 
