@@ -43,6 +43,18 @@ settings.load_profile("untimed")
 # One process a core is enough: threads of numpy and OpenCV would wait for each other, and take twice as long.
 os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OPENCV_FOR_THREADS_NUM": "1"}
 
+# Outputs are those of anybody's terminal, and are buffered as they are for anybody.
+for _variable in (
+    "COLUMNS",
+    "LINES",
+    "FORCE_COLOR",
+    "NO_COLOR",
+    "CLICOLOR",
+    "CLICOLOR_FORCE",
+    "PYTHONUNBUFFERED",
+):
+    os.environ.pop(_variable, None)
+
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # by `&` of a script
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if sys.platform != "win32" and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:  # by `nohup`

@@ -175,10 +175,6 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
             ended = command.main(list(arguments), name, standalone_mode=False, help_option_names=_HELP)
         sys.stdout.flush()
     except WorkError as error:
-        try:
-            sys.stdout.flush()
-        except OSError:  # Python's own flush is not to fail again
-            silence(sys.stdout)
         return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
     except _NoArguments as error:
         return _complain(error.format_message(), error.exit_code)
@@ -211,6 +207,11 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
         if not said:
             raise
         return _complain(f"{_path(command, name, arguments)}: {said}", 1)
+    finally:
+        try:
+            sys.stdout.flush()
+        except OSError:  # Python's own flush, at exit, would fail again, and change the status to 120
+            silence(sys.stdout)
     return ended if isinstance(ended, int) else 0
 
 

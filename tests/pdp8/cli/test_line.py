@@ -4,6 +4,7 @@ import os
 import pty
 import re
 import select
+import shlex
 import signal
 import socket
 import struct
@@ -203,7 +204,7 @@ def test_a_long_silence_says_once_where_the_run_is(tmp_path: Path) -> None:
     """A third of a second is long here."""
     script = "from pdp8 import cli; from pdp8.cli.running import pacing; pacing._SILENT = 0.3; cli.main()"
     (tmp_path / "loop.pal").write_text("*200\n\tISZ 10\n\tJMP .-1\n\tISZ 11\n\tJMP 200\n\tJMP 200\n$\n")
-    line = f'{sys.executable} -c "{script}" run loop.pal < /dev/null > /dev/null'
+    line = f'{shlex.quote(sys.executable)} -c "{script}" run loop.pal < /dev/null > /dev/null'
     terminal = Terminal("bash", "-c", line, folder=tmp_path)
     seen = terminal.until(b"--max-time")
     assert b"of machine time, and nothing is read or punched; Ctrl-C ends the run" in seen
