@@ -11,6 +11,7 @@ const dom = await import("./dom.mjs");
 dom.open(readFileSync(given.file, "utf8"), given.address, { ...given, work });
 process.on("unhandledRejection", (reason) => dom.complaints.push(reason));
 for (const script of given.scripts) (0, eval)(script);
+if (given.entry === "workbench") await import("./pdp8/web/bench/desk.mjs"); // loaded while the room plays, it would take its own time
 await import(`./pdp8/web/${given.entry}.mjs`);
 globalThis.dom = dom;
 globalThis.walk = await import("./walk.mjs");
