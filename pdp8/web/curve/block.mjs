@@ -82,8 +82,13 @@ export function computer(/** @type {any} */ record) {
   const [button, said] = [find("translate"), find("translated")];
   button.addEventListener("click", async () => {
     button.disabled = true;
-    const { frames, minutes } = await answered("translated", record.words, `${lines().join("\n")}\n`);
-    said.textContent = `${lines().length} blocks: ${minutes.toFixed(1)} minutes at the computer; ${frames.length - 1} frames and a blank one came out.`;
+    try {
+      await answered("circle", 5, false);
+      const { frames, minutes } = await answered("translated", record.words, `${lines().join("\n")}\n`);
+      said.textContent = `${lines().length} blocks: ${minutes.toFixed(1)} minutes at the computer; ${frames.length - 1} frames and a blank one came out.`;
+    } catch (/** @type {any} */ { message }) {
+      said.textContent = message;
+    }
     button.disabled = false;
   });
   return figure;

@@ -53,14 +53,17 @@ const kept = new Map();
 const [apart, machines] = [new Apart(), new Apart()];
 let atOnce = false;
 
-/** What has been made of that name, of what was given. Throws Wanted while it is not there, or what making it threw.
+/** What has been made of that name, of what was given. Throws Wanted while it is not there; once, what making it threw.
  *  @template {keyof typeof WORK} K @param {K} what @param {Parameters<(typeof WORK)[K]>} given @returns {ReturnType<(typeof WORK)[K]>} */
 export function made(what, ...given) {
   const key = JSON.stringify([what, ...given]);
   if (atOnce && !kept.get(key)?.found) kept.set(key, { found: /** @type {any} */ (WORK)[what](...given) });
   const { found, error, answer } = kept.get(key) ?? {};
   if (found) return found;
-  if (error) throw error;
+  if (error) {
+    kept.delete(key); // its Worker may have been late only
+    throw error;
+  }
   if (answer) throw new Wanted(answer);
   const asked = (what === "translated" ? machines : apart).ask(what, given, SECONDS);
   const wanted = new Wanted(asked.then((made_) => kept.set(key, { found: made_ }), (why) => kept.set(key, { error: why })));

@@ -50,11 +50,16 @@ export function own(/** @type {any} */ record, /** @type {any} */ save, /** @typ
     open.removeAttribute("href");
     if (!printout) return;
     waits = setTimeout(async () => {
-      const { frames: punched, minutes: took, same } = await answered("translated", record.words, printout);
       const part = { name: "drawn", typed: { heights: pad.text, tolerance: String(tolerance / 1000) }, tape: NAME };
-      const link = await linked({ part }, record.workbench);
+      const [made_, link] = await Promise.all([
+        answered("translated", record.words, printout).catch((/** @type {Error} */ { message }) => message), linked({ part }, record.workbench)]);
       if (printout !== last) return;
-      frames = punched;
+      if (typeof made_ === "string") {
+        told = `Its EIA tape was not made: ${made_}.`;
+        return figure.later();
+      }
+      const { minutes: took, same } = made_;
+      ({ frames } = made_);
       save.disabled = false;
       open.href = link;
       told = `The PDP-8/L took ${minutes(took)} to make its EIA tape, ${frames.length} frames; the Hydra-Point ${same ? "goes the same way by it" : "goes another way by it"}.`;

@@ -51,7 +51,24 @@ export const cases = {
     const [old, middle] = [get_(0), get_(100).number];
     begun[0].answer(null, "no");
     await soon();
-    return [[seen, old, middle, get_(0), begun.length], [[], "wanted", 100, "no", 1]];
+    return [[seen, old, middle, get_(0), get_(0), begun.length], [[], "wanted", 100, "no", "wanted", 1]];
+  },
+  "a tape is asked for before its printout is there, and again where it is not made": async () => {
+    const begun = working();
+    const button = find("translate"), { computer } = await get("curve/block"), { WORK } = await get("curve/made");
+    computer({ words: [], listing: [] });
+    const seen = [];
+    for (const answers of [[[WORK.circle(5, false)], [null, "late"]], [[{ frames: [0, 1], minutes: 2 }]]]) {
+      button.hear("click");
+      for (const answer of answers) {
+        await soon(5);
+        begun.find(({ asked }) => asked.length).answer(...answer);
+      }
+      await soon(5);
+      seen.push([button.disabled, find("translated").textContent]);
+    }
+    for (const worker of begun) worker.onerror({}); // the next question begins another
+    return [seen, [[false, "late"], [false, "666 blocks: 2.0 minutes at the computer; 1 frames and a blank one came out."]]];
   },
   "what is printed is made at once, and afterwards it waits again": async () => {
     const begun = working();
@@ -236,6 +253,12 @@ export const cases = {
     await until(asked);
     const machines = begun.at(-1);
     const seen = [state(), asked()];
+    machines.answer(null, "late");
+    await until(() => figure.svg.innerHTML && /late/.test(figure.draw({ tolerance: 20, place: 500 }, 700)[2].source));
+    seen.push(state());
+    tolerance.value = "30";
+    figure.now();
+    await until(asked);
     machines.answer({ frames: Uint8Array.of(1, 2), minutes: 3, same: true });
     await until(() => !save.disabled);
     seen.push(state());
@@ -269,7 +292,7 @@ export const cases = {
     withoutWaiting(() => ([wide, narrow] = [60, 20].map((within) => figure.draw({ tolerance: within, place: 0 }, 700)[3].tolerance)));
     const band = [wide.y < narrow.y, wide.x === narrow.x, wide.to({ dy: 0, start: 20 }), wide.to({ dy: -30, start: 20 })];
     globalThis.setTimeout = real;
-    return [[seen, said.includes("goes another way"), along, band, waits, refused.slice(0, 30)], [[[true, false], 1, [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30], true, "It cannot be cut: tolerance 0 "]];
+    return [[seen, said.includes("goes another way"), along, band, waits, refused.slice(0, 30)], [[[true, false], 1, [true, false], [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30], true, "It cannot be cut: tolerance 0 "]];
   },
   "a stroke of the finger is taken from end to end, and what lies beside it meets it": async () => {
     const { Pad } = await get("pad");
