@@ -13,7 +13,7 @@ import { Afternoon } from "./bench/afternoon.mjs";
 import { rest, RESTS } from "./bench/alone.mjs";
 import { Clock } from "./bench/clock.mjs";
 import { LONGEST, linked, opened, shortened, whole } from "./bench/sharing.mjs";
-import { codeOf, Shelf } from "./bench/shelf.mjs";
+import { Shelf } from "./bench/shelf.mjs";
 import { wire } from "./bench/wiring.mjs";
 import { one_of_each } from "../computer/hardware/devices.mjs";
 import { Machine } from "../computer/machine.mjs";
@@ -76,11 +76,11 @@ export class Bench {
 
   /** The machine, with what is watched in it and its tape's name; while the afternoon leads it, as it was kept before. */
   get kept() {
-    const { teletype, until } = this;
+    const { teletype, until } = this, { leverWaits } = teletype;
     const machine = this.afternoon.on ? this.room.own : this.machine;
     if (!machine) return this.before;
     const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
-    return { state: this.drives.bare(machine), breakpoints, tape: teletype.kept };
+    return { state: this.drives.bare(machine), breakpoints, tape: { leverWaits, name: teletype.called(machine) } };
   }
 
   set kept({ state, breakpoints, tape }) {
@@ -91,7 +91,7 @@ export class Bench {
       machine.panel.stop();
       this.room.keep(machine);
     } else this.#standing(machine);
-    if (tape) this.teletype.kept = tape;
+    if (tape) this.teletype.name(String(tape.name), tape.leverWaits, machine);
   }
 
   /** Let a machine be the page's, as a copy that has a PC8/L. */
@@ -285,7 +285,7 @@ export class Bench {
     this.afternoon.takeOver();
     this.adopt(machine, true);
     this.switches.card.end();
-    this.teletype.named("", codeOf(machine.teletype.reader.tape)); // a state does not say what its tape is called
+    this.teletype.leverWaits = false;
     this.touched();
     if (machine.processor.run) this.say("It was running when it was saved");
   }

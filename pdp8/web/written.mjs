@@ -1,6 +1,7 @@
 // How things are written on the page, and where.
 
 import { TICKS_PER_SECOND as SECOND } from "../computer/hardware/signals.mjs";
+import { counted } from "../../tapes/quantities.mjs";
 
 /** The element with that id.
  * @returns {any} */
@@ -38,8 +39,5 @@ export function seconds(/** @type {number} */ ticks) {
   return `${whole}.${parts.slice(0, 3)} ${parts.slice(3, 6)} ${parts.slice(6)} s`;
 }
 
-/** Seconds as whole minutes: "36 minutes". */
-export function minutes(/** @type {number} */ time) {
-  const whole = Math.round(time / 60);
-  return `${grouped(whole)} minute${whole === 1 ? "" : "s"}`;
-}
+/** A number with its unit, a plural: "13 321 frames", "1 frame", "no frames". */
+export const many = (/** @type {number} */ number, /** @type {string} */ unit) => counted(number, unit).replaceAll(",", "\u202f");

@@ -14,7 +14,6 @@ import { instruction_at } from "../../computer/watch.mjs";
 import { html } from "../html.mjs";
 import { DESK, readdress } from "../written.mjs";
 import { out } from "./next.mjs";
-import { codeOf } from "./shelf.mjs";
 
 const SAID = 8 * SECOND; // how long the last action of the operator is shown
 const PRESSED = 0.4 * SECOND; // how long a key shows as pressed
@@ -29,7 +28,6 @@ export class Afternoon {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.made = /** @type {Script | null} */ (null); // the script
-    this.codes = new Map(); // of its tapes
     this.given = /** @type {boolean[]} */ ([]); // the machines of the record that it has
     this.on = this.playing = false;
     this.position = 0;
@@ -82,13 +80,6 @@ export class Afternoon {
     this.script.keep(kept, dict(Object.entries(values).map(([name, written]) => [name, value(written)])));
   }
 
-  /** The code of the tape in the reader. */
-  get code() {
-    const { mounted, day: { tapes } } = this.script;
-    if (mounted && !this.codes.has(mounted)) this.codes.set(mounted, codeOf(/** @type {Bytes} */ (tapes.get(mounted))));
-    return this.codes.get(mounted);
-  }
-
   /** Go to an instant, in ticks, and show it. */
   go(/** @type {number} */ tick) {
     this.lead(tick);
@@ -122,7 +113,7 @@ export class Afternoon {
     if (!this.on) return;
     const { bench, script, playing } = this;
     this.release(script.machine, !playing);
-    bench.teletype.named(script.mounted, this.code);
+    bench.teletype.name(script.mounted);
     bench.why = `You have taken over at ${clock(script.now)}`;
     bench.show();
   }
@@ -229,7 +220,7 @@ export class Afternoon {
     if (!this.on) return;
     const { bench, script, script: { act, day, mounted, now } } = this;
     bench.time.at(now, script.end, clock(now), act.name);
-    bench.teletype.named(mounted, this.code);
+    bench.teletype.name(mounted);
     if (this.shown !== act || this.program === null) this.#open(act);
     if (!act.program) bench.mill.follow(now - day.mill_starts);
   }

@@ -9,9 +9,8 @@ import { BLOCK_LINES, END_ZONE, LINE, LINES, STOPPED } from "../../computer/dect
 import { FIELD } from "../../computer/hardware/extension.mjs";
 import { save } from "../../computer/past/state.mjs";
 import { BLOCKS, decode, is_image } from "../../../tapes/dectape.mjs";
-import { counted } from "../../../tapes/quantities.mjs";
 import { html, put } from "../html.mjs";
-import { find, octal } from "../written.mjs";
+import { find, many, octal } from "../written.mjs";
 import { restored } from "./boot.mjs";
 
 const UNITS = [0, 1];
@@ -148,7 +147,7 @@ export class Drives {
     const block = Math.floor((line - END_ZONE) / BLOCK_LINES);
     const place = block < 0 || block >= BLOCKS ? "end zone" : `block ${octal(block)}`;
     const moves = drive.phase === STOPPED ? "at rest" : drive.reverse ? "moves back" : "moves on";
-    const written = drive.blocks.length ? `, ${counted(drive.blocks.length, "blocks")} written` : "";
+    const written = drive.blocks.length ? `, ${many(drive.blocks.length, "blocks")} written` : "";
     this.bench.writer.text(row.querySelector(".name"), `${unit}: ${this.names[unit] ?? "a reel"}, ${place}, ${moves}${written}`);
     row.querySelector("input").checked = Boolean(drive.locked);
   }

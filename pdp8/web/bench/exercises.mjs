@@ -2,7 +2,7 @@
 
 import { task as written } from "../../lessons/page.mjs";
 import { html, ours, put } from "../html.mjs";
-import { find, LATER } from "../written.mjs";
+import { find, LATER, many } from "../written.mjs";
 import { exercise as checked } from "./marker.mjs";
 import { linked } from "./sharing.mjs";
 import { Store } from "./store.mjs";
@@ -133,7 +133,7 @@ export class Exercises {
       this.marks.keep(name, JSON.stringify([points, of, right]));
       this.#list();
       if (name !== this.name) return;
-      put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${of} points` : "not marked"}</b></p>${ours(said)}`);
+      put(find("marks"), html`<p><b class="${right ? "right" : ""}">${sheet ? "The sheet" : called}: ${of ? `${points} of ${many(of, "points")}` : "not marked"}</b></p>${ours(said)}`);
       this.marked = text;
       if (!sheet) this.#offer(wrong);
     } catch (/** @type {any} */ error) {

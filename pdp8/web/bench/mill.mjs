@@ -11,9 +11,10 @@ import { Pictures } from "../pictures.mjs";
 import { Drawing, Sheet } from "../sheet.mjs";
 import { Plate } from "../room/plate.mjs";
 import { EIA } from "../../../tapes/codes.mjs";
+import { duration } from "../../../tapes/quantities.mjs";
 import { drawTape, tapeKey } from "../tape.mjs";
 import { bytes } from "../translator/runtime.mjs";
-import { find, grouped, inches, LATER, minutes, octal } from "../written.mjs";
+import { find, grouped, inches, LATER, many, octal } from "../written.mjs";
 
 const TOLERANCES = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 430, 500]; // thousandths
 const FINE = 900; // pixels of the plate
@@ -64,7 +65,7 @@ export class Mill {
     const frames = bytes(made);
     const { path, refusal } = carriedOut(frames);
     this.lay(`circle within ${inches(tolerance)} in`, frames, path, refusal);
-    find("loosened").textContent = `${inches(tolerance)} in: ${grouped(this.path.cuts.length)} cuts, ${minutes(this.path.times.total)}`;
+    find("loosened").textContent = `${inches(tolerance)} in: ${many(this.path.cuts.length, "cuts")}, ${duration(this.path.times.total)}`;
     this.#go(1);
   }
 
@@ -121,7 +122,7 @@ export class Mill {
 
   /** How many blocks were cut, and how long it takes. */
   get summary() {
-    return find("refusal").textContent || `${grouped(this.steps.length)} blocks are cut: ${minutes(this.path?.times.total ?? 0)} at the Hydra-Point.`;
+    return find("refusal").textContent || `${many(this.steps.length, "blocks")}: ${duration(this.path?.times.total ?? 0)} at the Hydra-Point.`;
   }
 
   #where(/** @type {PathPlace} */ { block, x, y }) {
@@ -135,7 +136,7 @@ export class Mill {
     const second = path.times.total * this.part + 1 / SECOND; // what begins at this tick is under way
     const place = started ? path.at(second) : path.first;
     const key = `${this.name} ${place.knot} ${place.x} ${place.y} ${started}`;
-    bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${this.steps.length} blocks`);
+    bench.writer.text(find("whole-label"), started ? this.#where(place) : `waits for its tape: ${many(this.steps.length, "blocks")}`);
     bench.writer.text(find("close-label"), drawing.circle ? roundness(drawing.circle) : "close by, squares of .010 in");
     this.plate.draw(key, (/** @type {[Canvas, number, number]} */ ...at) => plated(drawing, /** @type {Plate} */ (this.milled), started ? place : null, ...at));
     this.whole.draw(key, (/** @type {[number, number]} */ ...size) => whole(drawing, place, started, ...size));

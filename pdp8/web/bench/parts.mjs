@@ -19,12 +19,13 @@ import * as slope from "../../../programs/slope.mjs";
 import { Unit } from "../../../programs/units.mjs";
 import { encode } from "../../../tapes/ascii.mjs";
 import { decode } from "../../../tapes/binary.mjs";
+import { duration } from "../../../tapes/quantities.mjs";
 import { ours, put } from "../html.mjs";
 import * as method from "../method.mjs";
 import { Pad } from "../pad.mjs";
 import { clipped, rect } from "../svg.mjs";
 import { bytes } from "../translator/runtime.mjs";
-import { find, grouped, minutes } from "../written.mjs";
+import { find, many } from "../written.mjs";
 
 export const PROGRAMS = { circle, curve, die, drawn, drill, ellipse, fluidic, polynomial, profile, slope };
 const RECORDS = { Header, Milling };
@@ -131,8 +132,7 @@ export class Parts {
       const tape = encode(text);
       this.name = bench.shelf.put(`${part.name}.asc`, tape);
       bench.teletype.mount(this.name);
-      const blocks = grouped(text.split("\n").length - 1);
-      find("part-punched").textContent = `${blocks} blocks: ${this.name}, ${grouped(tape.length)} frames, is in the reader. Punching it took ${minutes(tape.length / FRAMES_A_SECOND)}.`;
+      find("part-punched").textContent = `${many(text.split("\n").length - 1, "blocks")}: ${this.name}, ${many(tape.length, "frames")}, is in the reader. Punching it took ${duration(tape.length / FRAMES_A_SECOND)}.`;
       find("part-translate").disabled = false;
     } catch (/** @type {any} */ error) {
       find("part-punched").textContent = error.message;
@@ -171,7 +171,7 @@ export class Parts {
     time.setSpeed(this.speed);
     if (other) return void (find("part-translated").textContent = "");
     const { frames } = machine.teletype.punch;
-    find("part-translated").textContent = `${grouped(frames.length)} frames of EIA are punched: ${minutes(machine.elapsed)} on the PDP-8/L.`;
+    find("part-translated").textContent = `${many(frames.length, "frames")} of EIA: ${duration(machine.elapsed)} on the PDP-8/L.`;
     find("part-cut").disabled = !frames.length;
   }
 }

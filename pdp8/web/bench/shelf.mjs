@@ -11,6 +11,13 @@ export function codeOf(/** @type {Bytes | number[] | Uint8Array} */ frames) {
   return recognise(bytes(frames.slice(0, LOOK)));
 }
 
+const codes = /** @type {WeakMap<Bytes, Code>} */ (new WeakMap());
+/** The same, of a tape that nobody punches any more. */
+export function codeFor(/** @type {Bytes} */ tape) {
+  if (!codes.has(tape)) codes.set(tape, codeOf(tape));
+  return /** @type {Code} */ (codes.get(tape));
+}
+
 /** `name`, or the first free one of "name 2", "name 3" ... */
 export function free(/** @type {string} */ name, /** @type {(name: string) => boolean} */ taken) {
   const [, stem, ending = ""] = /** @type {RegExpExecArray} */ (/^(.*?)(\.\w+)?$/s.exec(name));
@@ -26,7 +33,6 @@ const OFFERED = { any: (/** @type {string} */ name) => !name.endsWith(".pal"), e
 class Tape {
   constructor(/** @type {any} */ content) {
     this.content = content;
-    this.known = /** @type {Code | null} */ (null);
   }
 
   get frames() {
@@ -35,8 +41,7 @@ class Tape {
   }
 
   get code() {
-    this.known ??= codeOf(this.frames);
-    return this.known;
+    return codeFor(this.frames);
   }
 }
 

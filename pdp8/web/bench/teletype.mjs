@@ -1,12 +1,12 @@
 // The Teletype on the bench: its page and keyboard, its reader and punch with their levers; and the PC8/L beside it.
 
 import { Paper, sent } from "../../computer/use/keys.mjs";
-import { ASCII, BLANK_TAPE, named, start } from "../../../tapes/codes.mjs";
+import { start } from "../../../tapes/codes.mjs";
 import { BLOCK, passing } from "../passing.mjs";
 import { Sheet } from "../sheet.mjs";
 import { drawTape, tapeKey } from "../tape.mjs";
-import { find, grouped, octal } from "../written.mjs";
-import { codeOf } from "./shelf.mjs";
+import { find, grouped, many, octal } from "../written.mjs";
+import { codeFor, codeOf } from "./shelf.mjs";
 
 const LINES = 400; // kept on the page
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
@@ -17,9 +17,8 @@ export class Teletype {
     this.bench = bench;
     const sheet = (/** @type {"reader" | "punch"} */ which) => new Sheet(canvas(which), () => this.#tapes());
     this.sheets = { reader: sheet("reader"), punch: sheet("punch") };
-    this.name = "";
     this.leverWaits = false;
-    this.code = ASCII;
+    this.names = /** @type {WeakMap<Bytes, string>} */ (new WeakMap()); // of tapes: a step back has another one in the reader
     this.clear();
     find("paper").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
     find("typed").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
@@ -36,20 +35,15 @@ export class Teletype {
     this.#highspeed();
   }
 
-  get kept() {
-    const { code, leverWaits, name } = this;
-    return { code: code.name, leverWaits, name };
+  /** What the tape in a machine's reader is called; "" where nobody knows, as in a state. */
+  called({ teletype: { reader: { tape } } } = this.bench.machine) {
+    return this.names.get(tape) ?? "";
   }
 
-  set kept(kept) {
-    Object.assign(this, kept, { code: named(kept.code) });
-  }
-
-  /** Call the tape in the reader by its name; the lever of another machine waits no more. */
-  named(/** @type {string} */ name, /** @type {Code} */ code, waits = false) {
-    this.name = name;
+  /** Call the tape in a machine's reader by its name; the lever of another machine waits no more. */
+  name(/** @type {string} */ name, waits = false, { teletype: { reader: { tape } } } = this.bench.machine) {
+    this.names.set(tape, name);
     this.leverWaits = waits;
-    /** @type {Code} */ this.code = code ?? BLANK_TAPE;
   }
 
   /** Begin a fresh paper: what is on it comes from another place. */
@@ -141,12 +135,10 @@ export class Teletype {
    */
   mount(/** @type {string} */ name) {
     this.bench.touch(({ processor, teletype: { reader } }) => {
-      this.named(name, this.bench.shelf.get(name).code, this.leverWaits);
-      if (reader.on && !processor.run) {
-        reader.lever(false);
-        this.leverWaits = true;
-      }
+      const waits = reader.on && !processor.run;
+      if (waits) reader.lever(false);
       reader.load(this.#wound(name));
+      this.name(name, waits || this.leverWaits);
     });
   }
 
@@ -177,7 +169,7 @@ export class Teletype {
   #tapes() {
     const { reader, punch } = this.bench.machine.teletype;
     const head = Math.max(0, reader.position - 1);
-    const read = { frames: reader.tape, head, code: this.code, label: this.name };
+    const read = { frames: reader.tape, head, code: codeFor(reader.tape), label: this.called() };
     const frames = this.terminal?.frames ?? punch.frames;
     const punched = { frames, head: frames.length - 1, code: codeOf(frames), label: this.terminal?.name ?? "", punching: true };
     this.#tape("reader", read, reader.loaded);
@@ -202,8 +194,8 @@ export class Teletype {
   }
 
   #tape(/** @type {"reader" | "punch"} */ which, /** @type {TapeView} */ view, /** @type {any} */ loaded) {
-    const count = `${grouped(view.frames.length)}${view.punching ? " frames" : ""}`;
-    const caption = view.punching ? count : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${count}`.trim();
+    const { length } = view.frames;
+    const caption = view.punching ? many(length, "frames") : `${view.label} ${grouped(this.bench.machine.teletype.reader.position)} of ${grouped(length)}`.trim();
     this.bench.writer.text(find(which).querySelector(".name"), loaded ? caption : "no tape");
     const frame = view.frames[view.head];
     const says = frame === undefined ? "nothing" : `${octal(frame, 3)} ${view.code.caption(frame)}`;
@@ -215,7 +207,7 @@ export class Teletype {
   #highspeed() {
     const { machine: { highspeed: { punch: { frames }, reader } }, writer } = this.bench;
     writer.text(find("pc8-reader"), reader.loaded ? `${grouped(reader.position)} of ${grouped(reader.tape.length)}` : "no tape");
-    writer.text(find("pc8-punch"), `${grouped(frames.length)} frames punched`);
+    writer.text(find("pc8-punch"), `${many(frames.length, "frames")} punched`);
     find("pc8-tear").toggleAttribute("disabled", !frames.length);
   }
 }

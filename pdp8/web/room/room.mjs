@@ -12,9 +12,9 @@ import { Machine } from "../../computer/machine.mjs";
 import { Minute } from "../../lessons/minute.mjs";
 import { sent } from "../../computer/use/keys.mjs";
 import { bounds } from "../bench/path.mjs";
-import { ASCII, BLANK_TAPE, EIA } from "../../../tapes/codes.mjs";
+import { ASCII, EIA } from "../../../tapes/codes.mjs";
 import { counted } from "../../../tapes/quantities.mjs";
-import { codeOf } from "../bench/shelf.mjs";
+import { codeFor, codeOf } from "../bench/shelf.mjs";
 import { keyed, modified } from "../bench/wiring.mjs";
 import { html, put } from "../html.mjs";
 import { inWords } from "../panel.mjs";
@@ -139,16 +139,14 @@ export class Room {
 
   /** Take the switches, where one left them if one had, or go back to the story. */
   take() {
-    const { bench, bench: { teletype }, own, place, tour } = this;
+    const { bench, own, place, tour } = this;
     if (this.live) return this.go({ value: tour.turn });
-    const { code, name } = teletype; // of the tape in his reader
     bench.afternoon.playing = this.playing;
     bench.touch(() => {});
     bench.switches.card.end();
     this.live = true;
     if (own) {
       bench.adopt(own);
-      teletype.named(name, code);
       this.typed = Infinity; // on paper of its own
     }
     const { punch, reader } = bench.machine.teletype;
@@ -505,14 +503,14 @@ export class Room {
   }
 
   #teletype(/** @type {Canvas} */ c, /** @type {number} */ seconds) {
-    const { bench: { afternoon, teletype, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
+    const { bench: { afternoon, machine: { teletype: { punch, reader } } }, moved, page, printing } = this;
     page.draw(c, moved.struck, moved.fed);
     const { day, now } = afternoon.script;
     const terminal = printing && day.tapes.get(`${day.part}.asc`);
     const count = terminal ? Math.floor(now / FRAME) : punch.frames.length;
     this.glides = false;
     this.#tape(c, "punch", terminal || punch.frames, count - 1, count, terminal ? ASCII : this.typing ? ASCII : this.live ? codeOf(punch.frames) : EIA, seconds);
-    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, (this.live ? teletype.code : afternoon.code) ?? BLANK_TAPE, seconds);
+    if (reader.loaded && !terminal) this.#tape(c, "reader", reader.tape, reader.position - 1, reader.tape.length, codeFor(reader.tape), seconds);
     drawHeads(c, reader.on && !terminal);
   }
 

@@ -82,7 +82,7 @@ export async function room(reduced = false) {
   const story = Array.from({ length: 8 }, (_, at) => [`${at}`, `act ${at}`]);
   const bench = {
     machine: await machine(), record: { afternoon: { machines: [[0]], story } }, say: nothing, show: nothing, first: nothing,
-    clock: { pictures: { stop: nothing } }, time: { focus: nothing }, sound: { hum: nothing }, writer: { text: nothing }, adopt: (own) => (bench.machine = own), teletype: { named: nothing }, switches: { card: { end: nothing } },
+    clock: { pictures: { stop: nothing } }, time: { focus: nothing }, sound: { hum: nothing }, writer: { text: nothing }, adopt: (own) => (bench.machine = own), teletype: { name: nothing }, switches: { card: { end: nothing } },
     touch: (work) => ((bench.afternoon.on = false), work(bench.machine)),
     afternoon: { on: false, script: { now: 0, act: acts[0], day: { acts } }, lead() { this.on = true; bench.machine = bench.led; }, release(own) { this.on = false; bench.machine = own; } },
   };

@@ -127,7 +127,7 @@ export const cases = {
     const made = await afternoon();
     const adopted = [];
     made.bench.adopt = (of, stops) => adopted.push(stops);
-    Object.assign(made.bench, { teletype: { named: nothing } });
+    Object.assign(made.bench, { teletype: { name: nothing } });
     Object.assign(made.made, { mounted: "", day: { tapes: new Map() } });
     const { setTimeout: real } = globalThis, due = [], said = [];
     globalThis.setTimeout = (act) => due.push(act);
@@ -294,11 +294,11 @@ export const cases = {
     for (const address of [0o200, 0o300]) running.watch.breakpoints.add(address);
     running.processor.run = 1;
     const drives = { bare: () => "as it is", restored: () => running }, room = { open: true, keep: (found) => (room.found = found) };
-    const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives, teletype: { kept: "a" } });
+    const before = kept.get.call({ until: { added: 0o300 }, afternoon: { on: false }, machine: running, drives, teletype: { leverWaits: true, called: (of) => of === running && "a" } });
     kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o201] });
     Object.defineProperty(running, "memory", { value: 0o20000 });
     kept.set.call({ drives, room }, { state: "as it was", breakpoints: [0o10201] });
-    return [[before, room.found === running, running.processor.run, [...running.watch.breakpoints]], [{ state: "as it is", breakpoints: [0o200], tape: "a" }, true, 0, [0o200, 0o300, 0o201, 0o10201]]];
+    return [[before, room.found === running, running.processor.run, [...running.watch.breakpoints]], [{ state: "as it is", breakpoints: [0o200], tape: { leverWaits: true, name: "a" } }, true, 0, [0o200, 0o300, 0o201, 0o10201]]];
   },
   "a session is found again part by part": async () => {
     const { Session } = await get("bench/session");
@@ -350,8 +350,22 @@ export const cases = {
     seen.push([reader.on, made.leverWaits]);
     made.leverWaits = true;
     made.lever();
-    seen.push([reader.on, made.leverWaits, made.name]);
-    return [seen, [[false, false, 2], [false, true], [true, false], [false, false], [true, false], [false, false, "b"]]];
+    seen.push([reader.on, made.leverWaits]);
+    return [seen, [[false, false, 2], [false, true], [true, false], [false, false], [true, false], [false, false]]];
+  },
+  "a step back leads to the tape before, by its name": async () => {
+    const { bytes } = await import("./pdp8/web/translator/runtime.mjs");
+    const { History } = await import("./pdp8/computer/past/history.mjs"), { instructions } = await import("./pdp8/computer/past/rewind.mjs");
+    const { Teletype } = await get("bench/teletype");
+    const bench = await desk({ shelf: { get: () => ({ frames: bytes([0o301, 0o302]) }) } });
+    const { machine } = bench, history = new History(machine), made = new Teletype(bench);
+    made.mount("a");
+    machine.run(null, 2);
+    made.mount("b"); // the same frames
+    const seen = [made.called()];
+    machine.run(null, 2);
+    instructions(history, 3);
+    return [[...seen, made.called()], ["b", "a"]];
   },
   "counts are of fetches, and of the turns of a loop that is passed over": async () => {
     const { Counts } = await get("bench/counts");

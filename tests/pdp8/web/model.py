@@ -68,7 +68,7 @@ window.driver = {
       marks: [marked("sing step"), marked("mem prot")],
       punched: afternoon.on ? null : [...machine.teletype.punch.frames].map((frame) => frame & 0o177),
       tapes: shelf.names().filter((name) => !shelf.bundled.includes(name)),
-      mounted: afternoon.on ? null : teletype.name,
+      mounted: afternoon.on ? null : teletype.called(),
       unit: document.querySelector("#units :checked").value, speed: document.getElementById("speed").value,
       refused: !dispatchEvent(new Event("beforeunload", { cancelable: true })),
     };
@@ -314,7 +314,7 @@ class Model:
         while name in self.tapes:
             number += 1
             name = f"t {number}.asc"
-        until(self.page, f"workbench.teletype.name === {name!r}")
+        until(self.page, f"workbench.teletype.called() === {name!r}")
         self.tapes.append(name)
         self.mounted = name
 
@@ -344,7 +344,7 @@ class Model:
         self._click("#part-translate")
         until(self.page, "!workbench.parts.translating && !document.getElementById('part-cut').disabled")
         facts = self._facts()
-        tape = self.page.evaluate("[...workbench.shelf.get(workbench.teletype.name).frames]")
+        tape = self.page.evaluate("[...workbench.shelf.get(workbench.teletype.called()).frames]")
         made = method.translated(EIA_PAL, bytes(tape)).teletype.punch.tape
         assert facts["punched"] == [frame & 0o177 for frame in made], "its tape, and nothing before it"
         self.page.evaluate(

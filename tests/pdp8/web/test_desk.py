@@ -59,6 +59,24 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert page.evaluate("workbench.editor.assemble()")
 
 
+_EARLY = """() => {
+  const early = new Event("drop", { bubbles: true });
+  early.dataTransfer = { types: ["Files"], files: ["a.pal", "b.asc"].map((name) => new File(["1"], name)) };
+  document.body.dispatchEvent(early);
+  return workbench.ready;
+}"""
+
+
+@needs_node
+def test_a_file_that_is_dropped_at_once_waits_for_the_desk(file: Path) -> None:
+    page = small.Context(file).new_page()
+    page.goto(file.as_uri())
+    assert page.evaluate(_EARLY) is False
+    page.wait_for_timeout(3000)
+    assert page.evaluate("[workbench.editor.name, workbench.teletype.called()]") == ["a.pal", "b.asc"]
+    page.close()
+
+
 _DRAGGED = """(kind) => ["dragover", "drop"].map((each) => {
   const dragged = new Event(each, { bubbles: true, cancelable: true });
   dragged.dataTransfer = { types: [kind], files: [] };
@@ -578,7 +596,7 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     until(page, "!document.getElementById('part-cut').disabled")
     assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [], "it was another program's"
     click(page, "#part-cut")
-    assert "minutes at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
+    assert " s at the Hydra-Point" in page.evaluate("document.getElementById('part-is-cut').textContent")
     assert page.evaluate("workbench.mill.name") == "circle 2.eia"
     assert page.locator("#part-cut").get_attribute("disabled") is not None, "there is no tape any more"
     page.locator("[name=radius]").evaluate("(input) => { input.value = '1750'; }")

@@ -47,7 +47,7 @@ function objects(found) {
   for (const [name, value] of machine.values().items()) if (!UNSTEADY.test(name)) found[`machine ${name}`] = plain(value);
   const { breakpoints, observer } = machine.watch;
   const of = { led: afternoon.on, playing: afternoon.playing, act: afternoon.on && afternoon.script.act.name, speed: clock.speed, moves: clock.pictures.running, breakpoints: [...breakpoints].sort().join(), counted: observer !== null,
-    until: until.constructor.name, lever: teletype.leverWaits, code: teletype.code.name, sound: sound.on, own: room.own !== null, turn: room.tour?.turn, live: room.live, plays: room.playing, paper: room.page.paper.lines.join(" "), program: editor.name };
+    until: until.constructor.name, lever: teletype.leverWaits, name: teletype.called(), sound: sound.on, own: room.own !== null, turn: room.tour?.turn, live: room.live, plays: room.playing, paper: room.page.paper.lines.join(" "), program: editor.name };
   for (const [name, value] of Object.entries(of)) found[`.${name}`] = String(value);
 }
 
