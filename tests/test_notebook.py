@@ -25,7 +25,8 @@ def test_at_a_terminal_a_tape_is_rows_of_holes() -> None:
 
 
 def test_a_listing_shows_every_line_and_marks_what_is_wrong() -> None:
-    page = pal.assemble("*200\n\tTAD 300\t/A < B & C\n\tJMP 400\n\tJMP 600\n$\n")._repr_html_()
+    second = "*200\n\tTAD 300\t/A < B & C\n\tJMP 400\n\tJMP 600\n$\n"
+    page = pal.assemble("/\n/\n/\n/\nPAUSE\n", second)._repr_html_()
     table, _, below = page.partition("</table>")
     rows = ElementTree.fromstring(table[table.index("<table") :] + "</table>").findall("tr")
     cells = [["".join(cell.itertext()) for cell in row] for row in rows]
@@ -33,7 +34,7 @@ def test_a_listing_shows_every_line_and_marks_what_is_wrong() -> None:
     wrong = [row[2].text for row in rows if row.get("class") == "wrong"]
     assert wrong == ["        JMP 400", "        JMP 600"]
     taken, *errors = (said[:11] for said in below.removeprefix("<pre>").split("\n\n"))
-    assert (taken, errors) == ("tape 1:1:1:", ["tape 1:3:2:", "tape 1:4:2:"]), "PAL8 would make links"
+    assert (taken, errors) == ("tape 1:1:2:", ["tape 2:3:2:", "tape 2:4:2:"]), "PAL8 would make links"
 
 
 def test_a_path_draws_itself() -> None:

@@ -319,6 +319,9 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
             raise WorkError(f"a tape in {code.name.upper()}, not in BIN or RIM")
         if isinstance(code, Words):
             notes = code.left_out(frames)
+            held = code.readable(frames) if entry else {}
+            if bare := [f"{address:04o}" for address in entry if address not in held]:
+                raise WorkError(f"--entry {bare[0]}: the tape has no word there")
             if force and (damage := code.damage(frames)):
                 frames = binary.encode(code.readable(frames))
                 said.append(f"{damage}; disassembled as far as it can be read")

@@ -113,4 +113,6 @@ def test_a_tape_for_a_laser() -> None:
     assert (len(circles), radii) == (holes, [0.046, 0.072])
     outlines = [[(x, y) for x, y, *_ in line.points()] for line in document.modelspace().query("POLYLINE")]
     assert [max(x for x, _ in outline) for outline in outlines] == pytest.approx([203.2, 50.8])
-    assert outlines[1][0][1] - outlines[1][2][1] == pytest.approx(25.4)
+    spans = [(min(y for _, y in outline), max(y for _, y in outline)) for outline in outlines]
+    places = [sum(low < circle.dxf.center.y < high for low, high in spans) for circle in circles]
+    assert {*places, *(round(high - low, 4) for low, high in spans)} == {1, 25.4}
