@@ -19,7 +19,7 @@ FORMS = {
     "@80\n111011000000\n0010_1010_1000\n111 100 000 010\n@0a8\n000000000010\n": "lines of twelve bits",
     "0x080:0xEC0\n0x081:0x2a8\n082: F02 ; HLT\n0A8:2\nep:080\n": f"{EP}; it starts at 0200",
     "(0200)=7300\n201: 1250\n0202/ 7402 / HLT\n0250,0002\n": "octal addresses and words",
-    "sim> d 250-252 0\nsim> DEP 200 7300\nsim> ex 200\nd 201 1250\nd 202 7402\nd 250 2\nattach ptr x\n": (
+    "sim> d 200-202 7402\nsim> DEP 200 7300\nsim> ex 200\nd 201 1250\nd 250 2\nattach ptr x\n": (
         "deposits of a SIMH script"
     ),
     "EP:080\n080:EC0\n081:2A8\n082:F02\n0A8:2\n": f"{EP}; it starts at 0200",

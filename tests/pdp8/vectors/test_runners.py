@@ -64,7 +64,8 @@ def test_the_runner_in_python(changed: Path, folder: Path, tmp_path: Path) -> No
     """Of the vectors of devices too; its module is in the current folder."""
     (tmp_path / "mine.py").write_text("from tests.pdp8.vectors.emulators import ReferenceEmulator as Mine\n")
     command = sys.executable, folder / "runner.py", "mine:Mine"
-    status, said = in_folder(tmp_path, *command, changed, PYTHONPATH=str(ROOT))
+    right = folder / "opr3.json.gz"
+    status, said = in_folder(tmp_path, *command, changed, right, PYTHONPATH=str(ROOT))
     assert status == 1, said
     assert_said(said, cycles=True)
     some = [folder / f"{name}.json.gz" for name in ("teletype", "pc8l", "interrupts", "opr1", "hands")]
