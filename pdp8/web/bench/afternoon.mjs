@@ -222,7 +222,7 @@ export class Afternoon {
     bench.time.at(now, script.end, clock(now), act.name);
     bench.teletype.name(mounted);
     if (this.shown !== act || this.program === null) this.#open(act);
-    if (!act.program) bench.mill.follow(now - day.mill_starts);
+    if (!act.program && bench.mill.path === day.path) bench.mill.follow(now - day.mill_starts);
   }
 
   write() {

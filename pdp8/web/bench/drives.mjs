@@ -22,7 +22,7 @@ const radius = (on) => Math.sqrt(HUB ** 2 + on * (FULL ** 2 - HUB ** 2));
 export class Drives {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
-    /** @type {string[]} */ this.names = [];
+    this.names = /** @type {WeakMap<Image, string>} */ (new WeakMap());
     /** @type {string[]} */ this.saved = []; // what was written on each reel when it was saved
     put(find("reels"), UNITS.map((unit) => html`<div class="drive" role="group" aria-label="Drive ${unit}" hidden>
       <svg viewBox="0 0 40 20" aria-hidden="true">${[10, 30].map((x) => html`<g transform="translate(${x} 10)"><circle class="tape"/><path d="M-3.5 0h7M0-3.5v7" class="spokes"/></g>`)}</svg>
@@ -50,9 +50,9 @@ export class Drives {
     if (!this.control) this.#fit();
     const { drives } = /** @type {TC08} */ (this.control);
     const free = UNITS.find((each) => !drives[each].image), unit = free ?? UNITS.length - 1;
-    const before = free === undefined ? ` in place of ${this.names[unit]}` : "";
+    const before = free === undefined ? ` in place of ${this.called(unit)}` : "";
     this.#rescue(unit);
-    this.names[unit] = name;
+    this.names.set(image, name);
     bench.touch(() => drives[unit].mount(image));
     bench.remember(); // no step back restores another reel
     find("drives").open = true;
@@ -99,8 +99,13 @@ export class Drives {
 
   save(/** @type {{value: string}} */ { value }) {
     const drive = this.#drive(value), image = drive.written();
-    if (image) this.bench.download(this.names[Number(value)], image.content());
+    if (image) this.bench.download(this.called(Number(value)), image.content());
     this.saved[Number(value)] = `${[...drive.changed]}`;
+  }
+
+  /** What the reel on a drive is called, wherever a state has put it. */
+  called(/** @type {number} */ unit) {
+    return this.names.get(/** @type {Image} */ (this.control?.drives[unit].image)) ?? "a reel";
   }
 
   /** Whether blocks were written on the reel of a drive that are in no file. */
@@ -148,7 +153,7 @@ export class Drives {
     const place = block < 0 || block >= BLOCKS ? "end zone" : `block ${octal(block)}`;
     const moves = drive.phase === STOPPED ? "at rest" : drive.reverse ? "moves back" : "moves on";
     const written = drive.blocks.length ? `, ${many(drive.blocks.length, "blocks")} written` : "";
-    this.bench.writer.text(row.querySelector(".name"), `${unit}: ${this.names[unit] ?? "a reel"}, ${place}, ${moves}${written}`);
+    this.bench.writer.text(row.querySelector(".name"), `${unit}: ${this.called(unit)}, ${place}, ${moves}${written}`);
     row.querySelector("input").checked = Boolean(drive.locked);
   }
 }

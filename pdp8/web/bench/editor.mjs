@@ -212,7 +212,8 @@ export class Editor {
   save(/** @type {HTMLSelectElement} */ list) {
     const kind = list.value;
     list.value = "";
-    if (!kind || (kind !== "pal" && !this.assemble())) return;
+    if (!kind) return;
+    if (!/pal|lst/.test(kind) && !this.assemble()) return this.#not("saved");
     const made = { pal: () => this.text, bin: () => this.assembly.tape, rim: () => rim.encode(dict(this.assembly.words)), lst: () => assembled(this.called, this.text).listing };
     try {
       this.bench.download(`${this.called.replace(/\.\w+$/, "")}.${kind}`, /** @type {any} */ (made)[kind]());
@@ -393,9 +394,14 @@ export class Editor {
       if (this.load()) this.bench.switches.press("start");
       return;
     }
+    this.#not("run");
+  }
+
+  /** Say why it is not run, or saved. */
+  #not(/** @type {string} */ done) {
     const { diagnostics, summary } = this.assembly;
     const wrong = diagnostics.find(({ severity }) => severity === "error");
-    this.bench.say(`Not run: ${wrong ? `line ${wrong.line}, ${wrong.brief}` : summary}`);
+    this.bench.say(`Not ${done}: ${wrong ? `line ${wrong.line}, ${wrong.brief}` : summary}`);
   }
 
   /** Load as an operator does: RIM toggled in, RIM reads BIN, BIN reads the program's tape; at full speed. */

@@ -8,7 +8,8 @@ import { drawTape, tapeKey } from "../tape.mjs";
 import { find, grouped, many, octal } from "../written.mjs";
 import { codeFor, codeOf } from "./shelf.mjs";
 
-const LINES = 400; // kept on the page
+const LINES = 400; // shown of the paper
+const KEPT = 10_000; // and kept, to be saved
 const ROLL = 100_000; // frames on the paper, until it is torn off behind the page
 const NAMED = { Enter: "\r", Backspace: "\x7f", Escape: "\x1b" };
 
@@ -48,7 +49,7 @@ export class Teletype {
 
   /** Begin a fresh paper: what is on it comes from another place. */
   clear() {
-    /** @type {Paper} */ this.paper = new Paper(LINES);
+    /** @type {Paper} */ this.paper = new Paper(KEPT);
     /** @type {number} */ this.taken = 0;
     /** @type {number} */ this.drawn = -1;
   }
@@ -60,7 +61,7 @@ export class Teletype {
     this.typed = Boolean(this.terminal);
     for (; this.taken < frames.length; this.taken++) this.#sound(this.paper.take(frames[this.taken]));
     this.drawn = this.taken;
-    find("paper").firstElementChild.textContent = this.paper.lines.join("\n");
+    find("paper").firstElementChild.textContent = this.paper.lines.slice(-LINES).join("\n");
     find("paper").scrollTop = find("paper").scrollHeight;
     if (this.taken > ROLL && !this.bench.afternoon.on) this.#tearPaper();
   }
@@ -98,10 +99,11 @@ export class Teletype {
   }
 
   #key(/** @type {any} */ event) {
-    if (event.altKey || event.metaKey || event.key === "Tab") return;
+    if (event.metaKey || event.key === "Tab") return;
+    const signs = event.altKey && /^[^\w\s]$/.test(event.key); // by AltGr
     const copied = event.ctrlKey && event.key === "c" && String(getSelection());
-    const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !copied;
-    if (event.ctrlKey && !control) return;
+    const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !event.altKey && !copied;
+    if ((event.ctrlKey || event.altKey) && !control && !signs) return;
     const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : /** @type {Record<string, string>} */ (NAMED)[event.key] ?? event.key;
     if (key.length !== 1 || !sent(key).length) return;
     event.preventDefault();

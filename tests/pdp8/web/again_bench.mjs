@@ -514,7 +514,7 @@ export const cases = {
     const frames = blank().content();
     for (const name of ["a", "b", "c"]) {
       drives.mount(name, frames);
-      seen.push([drives.names.join(), bench.said.at(-1).slice(-6)], state());
+      seen.push([[0, 1].map((unit) => drives.called(unit)).join(), bench.said.at(-1).slice(-6)], state());
     }
     for (const size of [0o10000, 0o100000]) { // one that has more than 8K keeps it
       const large = await desk({ remember: nothing, machine: new bench.machine.constructor([], size), like: (own, more, held) => (seen.push(held), bench.like(own, more, held)) });
@@ -554,7 +554,7 @@ export const cases = {
     const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
     const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
     return [[seen, shown], [
-      [[none, true], true, false, ["a", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
+      [[none, true], true, false, ["a,a reel", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
         ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2,
         kept, ["c is on DECtape drive 1 in place of b", "c is on DECtape drive 1 in place of b"]],
       [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],

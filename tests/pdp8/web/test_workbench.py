@@ -144,23 +144,27 @@ _MODIFIED = """() => {
     "End", "Enter", "Escape", "Backspace", "F9"];
   const places = ["body", "#computer .rocker", "#computer .words button", "#time button", "[role=tab]",
     "#paper", "#core", "#blocks", "#drill"];
+  const typed = { ctrlKey: /^[a-z]$/i, altKey: /^[^\\w ]$/ }; // control characters, signs
+  const left = (at, more, pressed = { ...more, bubbles: true, cancelable: true }) =>
+    at.emit?.("keydown", pressed) ?? at.dispatchEvent(new KeyboardEvent("keydown", pressed));
   const taken = [], all = places.flatMap((place) => keys.flatMap((key) =>
     ["altKey", "metaKey", "ctrlKey"].map((more) => [place, key, more])));
   for (const key of ["F5", "Shift", "é", "Tab"]) all.push(["#paper", key, "shiftKey"]);
   for (const [place, key, more] of all) {
     const at = document.querySelector(place), before = state();
-    if (place === "#paper" && more === "ctrlKey" && /^[a-z]$/i.test(key)) continue; // a control character
-    const pressed = { key, [more]: true, bubbles: true, cancelable: true };
-    const left = at.emit?.("keydown", pressed) ?? at.dispatchEvent(new KeyboardEvent("keydown", pressed));
-    if (!left || state() !== before) taken.push(`${place} ${more} ${key}`);
+    if (place === "#paper" && typed[more]?.test(key)) continue;
+    if (!left(at, { key, [more]: true }) || state() !== before) taken.push(`${place} ${more} ${key}`);
   }
-  return taken;
+  const paper = document.querySelector("#paper"), altGr = { altKey: true, ctrlKey: true };
+  return taken.concat([..."@[q1"].filter((key) => !left(paper, { key, ...altGr })));
 }"""
 
 
 def test_a_key_with_a_modifier_is_the_browsers(page: Page) -> None:
-    """Alt with an arrow goes back, Ctrl with a digit to another tab; nor has a Teletype F5 or é."""
-    assert page.evaluate(_MODIFIED) == []
+    """Alt with an arrow goes back, Ctrl with a digit to another tab; nor has a Teletype F5 or é. AltGr, which
+    is Ctrl and Alt on Windows, types @ and [ on some keyboards.
+    """
+    assert page.evaluate(_MODIFIED) == ["@", "["]
 
 
 _NAMED = """() => {
@@ -268,6 +272,18 @@ def test_tab_goes_through_the_page(page: Page) -> None:
     source.click()
     page.keyboard.press("Tab")
     assert source.input_value() == before
+
+
+def test_what_is_printed_is_saved_whole(page: Page) -> None:
+    """Also the lines above those that the page shows."""
+    lines = [str(line) for line in range(999)]
+    page.evaluate(
+        "(codes) => { workbench.machine.teletype.printer.frames.extend(codes); workbench.show(); }",
+        [0o200 | ord(each) for line in lines for each in f"{line}\r\n"],
+    )
+    with page.expect_download() as saved:
+        click(page, "#save-page")
+    assert saved.value.path().read_text().split() == lines
 
 
 def test_run_until(page: Page) -> None:
