@@ -14,7 +14,7 @@ from pal.assembly import PAL3, PAL8
 from pal.diagnostics import Diagnostic
 from pal.document import SYMBOL, Document, Span
 from pal.messages import COLON, MEANT, NO_SLASH, NOT_OCTAL
-from pal.pieces import comment
+from pal.pieces import COMMENT, TEXT, comment, pieces
 
 _UNDEFINED = ("UA", "US")
 _ILLEGAL_REFERENCE = "IR"
@@ -85,8 +85,12 @@ def _through_a_pointer(document: Document, span: Span) -> Iterator[Fix]:
 def _at_the_end_of_page(document: Document, span: Span, line: str) -> tuple[Span, str]:
     """Return the edit that puts a line behind this page's words: before the next origin or the $."""
     lines, origin = document.tapes[span.tape], _ORIGINS[document.dialect]
-    for number in range(span.line + 1, len(lines)):
-        if origin.match(lines[number]):
+    for number, text in enumerate(lines[span.line :], span.line):
+        if number > span.line and origin.match(text):
             return Span(span.tape, number, 0, 0), f"{line}\n"
-    end = 0 if "$" in lines[-1] else len(lines[-1])
+        texts = [piece for piece in pieces(text, document.dialect) if piece.kind in (TEXT, COMMENT)]
+        for end in (at for at, mark in enumerate(text) if mark == "$"):
+            if not any(piece.start <= end < piece.end for piece in texts):
+                return Span(span.tape, number, end, end), f"\n{line}\n"
+    end = len(lines[-1])
     return Span(span.tape, len(lines) - 1, end, end), "\n" * (end > 0) + f"{line}\n"

@@ -516,6 +516,7 @@ PAGES = (
     "*400\nFAR,\tHLT\n*200; {}\n\tHLT\n$\n",
     "*400\nFAR,\tHLT\n*200\n{}\n\tHLT",
     "*400\nFAR,\tHLT\n*200\n\tHLT\n{}",
+    "*400\nFAR,\tHLT\n*200\n{}\n\tHLT\t/5 $\n\tHLT;$",
 )
 """Where the page of a line ends: at an origin, at PAGE, which may be a tag, at the $, at nothing."""
 
