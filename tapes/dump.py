@@ -24,8 +24,8 @@ _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
 class Dump(NamedTuple):
-    """The frames that a text spells, in which notation, whether its addresses show a gap, and what they were
-    taken as, and may be besides, "" if that is sure.
+    """The frames that a text spells, in which notation, whether its addresses show a gap, and as what they
+    were taken, "" if that is sure.
     """
 
     notation: str
@@ -37,7 +37,8 @@ class Dump(NamedTuple):
     def note(self) -> str:
         """What there is to say of such a file."""
         gap = "; its addresses do not follow one another: is a line missing?" if self.gap else ""
-        return f"a dump in {self.notation}, read as {len(self.frames):,} frames{gap}{self.taken}"
+        taken = f"; its addresses are taken as {self.taken}" if self.taken else ""
+        return f"a dump in {self.notation}, read as {len(self.frames):,} frames{gap}{taken}"
 
 
 class _Row(NamedTuple):
@@ -65,16 +66,15 @@ def found(content: bytes) -> Dump | None:
     if not notation:
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
-    readings = {base: _placed(rows, pieces, base) for base in _bases(rows, notation)}
-    fit = [base for base, frames in readings.items() if frames]
-    placed = readings[fit[0]] if fit else b""
-    others = [_NAMES[base] for base in fit if readings[base] != placed]
-    taken = f"; its addresses are taken as {_NAMES[fit[0]]}, not {' or '.join(others)}" if others else ""
+    tried = [(base, _placed(rows, pieces, base)) for base in _bases(rows, notation)]
+    fit = [(base, frames) for base, frames in tried if frames]
+    base, placed = fit[0] if fit else (0, b"")
+    taken = any(frames != placed for _, frames in fit)
     frames = placed or b"".join(pieces)
     letters = any(number.strip("0123456789") for number in numbers)
     many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and letters)
     gap = not placed and any(row.address for row in rows)
-    return Dump(notation.partition(" ")[0], frames, gap, taken) if many else None
+    return Dump(notation.partition(" ")[0], frames, gap, _NAMES[base] if taken else "") if many else None
 
 
 def unspelled(content: bytes) -> tuple[bytes, str]:
