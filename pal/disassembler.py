@@ -56,6 +56,8 @@ def disassemble(
 
     symbols  {name: address}: tags for the words
     entries  addresses at which the program is started: only what is reached from them is code
+
+    Of a program in one field, twelve bits of an address are enough.
     """
     return _source(_pieces_of(sorted(words), words), symbols or {}, entries)
 
@@ -68,6 +70,12 @@ def disassemble_tape(
         words = rim.decode(frames)
         return _source(_pieces_of(words, words), symbols or {}, entries)
     return _source(_pieces_on(frames), symbols or {}, entries)
+
+
+def field_of(words: Iterable[int]) -> int:
+    """Return the field, above twelve bits, in which all addresses are; 0 if they are in several."""
+    fields = {address & 0o70000 for address in words}
+    return min(fields) if len(fields) == 1 else 0
 
 
 def _pieces_of(addresses: Iterable[int], words: Mapping[int, int]) -> Iterator[Piece]:
@@ -136,8 +144,7 @@ class _Labels:
     def __init__(self, tape: list[Piece], symbols: Mapping[str, int], entries: Sequence[int]) -> None:
         words = {piece.address: piece.value for piece in tape if piece.kind == WORD}
         self._names: dict[int, str] = {}
-        banks = {address & 0o70000 for address in words}
-        bank = min(banks) if len(banks) == 1 else 0
+        bank = field_of(words)
         for name, address in symbols.items():
             if name not in _PERMANENT:
                 self._names.setdefault(bank | address, name)
@@ -152,7 +159,8 @@ class _Labels:
                 (jumped_to if jump else handled).add(target)
             elif target is not None and target in self._names:
                 outside.add(target)
-        self._numbers = set(words) - _reached(words, entries, handled) if entries else handled - jumped_to
+        starts = [bank | each for each in entries]
+        self._numbers = set(words) - _reached(words, starts, handled) if entries else handled - jumped_to
         named = [address for address in self._names if address in words]
         first = [*sorted(outside), *sorted(named), *sorted(jumped_to), *sorted(handled)]
         self._tagged: set[int] = set()

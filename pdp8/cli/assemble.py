@@ -16,7 +16,7 @@ from pal.models import MODELS
 from pdp8 import shelf
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
-from pdp8.cli.shared.parameters import octal
+from pdp8.cli.shared.parameters import address
 from pdp8.cli.shared.progress import Busy
 from pdp8.cli.shared.rules import flag, option
 from tapes.errors import WorkError, called, naming, visible
@@ -286,7 +286,7 @@ def _passes(folder: str | None, source: str) -> list[str]:
 @option(
     "--entry",
     "Take what is reached from here for code, the rest for numbers. Several may be given.",
-    octal,
+    address,
     multiple=True,
     metavar="OCTAL",
 )
@@ -304,7 +304,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
       pdp8 dis eia.bin | pal - -o again.bin
       pal add.pal -o add.bin --symbols add.sym; pdp8 dis add.bin --symbols add.sym --entry 200
     """
-    from pal.disassembler import disassemble_tape
+    from pal.disassembler import disassemble_tape, field_of
     from pal.formatting import silenced
     from tapes import binary, codes, dectape, dump
     from tapes.code import Characters
@@ -320,7 +320,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
         if isinstance(code, Words):
             notes = code.left_out(frames)
             held = code.readable(frames) if entry else {}
-            if bare := [f"{address:04o}" for address in entry if address not in held]:
+            if bare := [f"{each:04o}" for each in entry if field_of(held) | each not in held]:
                 raise WorkError(f"--entry {bare[0]}: the tape has no word there")
             if force and (damage := code.damage(frames)):
                 frames = binary.encode(code.readable(frames))

@@ -28,12 +28,21 @@ device_option = option(
 
 def octal(text: str) -> int:
     """Return the word, 0000 to 7777. Raises click.BadParameter."""
+    return _octal(text, 0o7777)
+
+
+def address(text: str) -> int:
+    """Return an address, perhaps with its field: 0000 to 77777. Raises click.BadParameter."""
+    return _octal(text, 0o77777)
+
+
+def _octal(text: str, most: int) -> int:
     try:
         word = int(text, 8)
     except ValueError:
         raise click.BadParameter(f"{text!r} is not an octal number") from None
-    if not 0 <= word <= 0o7777:
-        raise click.BadParameter(f"{text} is not between 0000 and 7777")
+    if not 0 <= word <= most:
+        raise click.BadParameter(f"{text} is not between 0000 and {most:o}")
     return word
 
 
