@@ -55,19 +55,19 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
     fitting.fit(machine, fitting.devices(["highspeed", *device] if highspeed else device))
     made = Monitor(command.echo, machine)
     made.dialect = dialect
-    if script is None and sys.stdin.isatty():
-        if echo:
-            raise click.UsageError("--echo means nothing without SCRIPT.")
-        click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
-        converse(made)
-        rack.leave(made)
-    else:
+    at_terminal = script is None and sys.stdin.isatty()
+    if echo and at_terminal:
+        raise click.UsageError("--echo means nothing without SCRIPT.")
+    with ExitStack() as leaving:
+        leaving.callback(rack.leave, made)
+        leaving.callback(take_off, made)
+        if at_terminal:
+            click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
+            converse(made)
+            return
         if echo:
             made.echo = lambda line: command.echo(f"* {line}")
-        with ExitStack() as leaving:
-            leaving.callback(rack.leave, made)
-            leaving.callback(take_off, made)
-            do_file(made, "-" if script is None else script)
+        do_file(made, "-" if script is None else script)
 
 
 def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
@@ -150,6 +150,7 @@ def sit_down(
 
 def _typed() -> Iterator[str]:
     from prompt_toolkit import PromptSession
+    from prompt_toolkit.application import get_app
     from prompt_toolkit.completion import WordCompleter
     from prompt_toolkit.history import FileHistory, InMemoryHistory
 
@@ -161,12 +162,14 @@ def _typed() -> Iterator[str]:
 
     def end(number: int, _: object) -> None:
         asked.append(number)
-        if session.app.loop is not None:
-            session.app.loop.call_soon_threadsafe(leave)
+        loop = get_app().loop  # on a dumb terminal it is not the session's own
+        if loop is not None:
+            loop.call_soon_threadsafe(leave)
 
     def leave() -> None:
-        if asked and session.app.is_running and not session.app.is_done:
-            session.app.exit(exception=EOFError)
+        app = get_app()
+        if asked and app.is_running and not app.is_done:
+            app.exit(exception=EOFError)
 
     while True:
         line: str | None = None

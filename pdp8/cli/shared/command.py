@@ -5,6 +5,7 @@ place; a closed pipe is no error, the reader had enough, and every named file is
 disk is one. No traceback reaches a user, and no control code of a file's at a terminal.
 """
 
+import errno
 import os
 import signal
 import sys
@@ -80,10 +81,12 @@ def say_of(file: str, notes: Iterable[str]) -> None:
 
 
 def echo(text: str, nl: bool = True) -> None:
-    """Write on standard output; a terminal is shown control codes, and a closed pipe ends nothing."""
+    """Write on standard output; a terminal is shown control codes, and one that is closed ends nothing."""
     try:
         click.echo(visible(text) if sys.stdout.isatty() else text, nl=nl)
-    except BrokenPipeError:
+    except OSError as error:
+        if error.errno not in (errno.EPIPE, errno.EIO):
+            raise
         silence(sys.stdout)
 
 

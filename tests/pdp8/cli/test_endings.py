@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.commands import Terminal, eventually
+from tests.pdp8.cli.test_line import WRITES
+from tests.pdp8.computer.dectape import reel
 
 COMMANDS = {
     "run": (("run", "echo.pal", "--keyboard", "--punch", "out.tape"), b"Ctrl-]"),
@@ -50,6 +52,27 @@ def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) ->
         assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
     if name == "run":
         assert (tmp_path / "out.tape").read_bytes() == b"\xc1\xc2\xc3"
+
+
+@pytest.mark.parametrize("closed", [False, True])
+def test_what_the_monitor_has_is_left_as_it_ends(closed: bool, tmp_path: Path) -> None:
+    """On a dumb terminal, as Emacs has one: the reel that was written, and what was punched."""
+    (tmp_path / "writes.pal").write_text(WRITES)
+    (tmp_path / "lines").write_text("attach dt0 a.tu56\nattach ptp out\nload writes.pal\ngo 200\n")
+    reel.file(tmp_path / "a.tu56")
+    terminal = Terminal("pdp8", "monitor", folder=tmp_path)
+    terminal.until(b"pdp8> ")
+    terminal.type(b"do lines\r")
+    terminal.until(b"AND 0000\r\npdp8> ")
+    assert eventually(lambda: not terminal.restored())
+    if closed:
+        os.close(terminal.file)
+        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
+    else:
+        terminal.process.send_signal(signal.SIGTERM)
+        assert terminal.ended() == 128 + signal.SIGTERM
+        assert b"1 block of a.tu56 changed, and not saved: wrote a-changed.tu56" in terminal.seen
+    assert {"a-changed.tu56", "out"} <= {path.name for path in tmp_path.iterdir()}
 
 
 @pytest.mark.parametrize("closed", [False, True])
