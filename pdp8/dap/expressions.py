@@ -101,10 +101,10 @@ _JOINED: dict[type[ast.boolop], Callable[..., bool]] = {ast.And: all, ast.Or: an
 
 
 def _named(name: str, monitor: Monitor, address: bool) -> Value:
-    machine, register = monitor.machine, debugging.register(name)
-    symbol = monitor.listing.symbols.get(name.upper()[:6])
-    if symbol is None and register in debugging.REGISTERS:
-        return lambda: int(getattr(machine, register))
+    machine, symbol = monitor.machine, monitor.listing.symbols.get(name.upper()[:6])
+    if symbol is None and debugging.is_register(monitor, name):
+        debugging.value(machine, name)
+        return lambda: debugging.value(machine, name)
     if symbol is None:
         raise MonitorError(f"{name}: neither a register nor a symbol of the program")
     return (lambda: symbol) if address else (lambda: machine.core[symbol])

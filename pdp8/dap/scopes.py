@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from pal.isa import JMP, refers_to
+from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.hardware.fields import CORE, FRAMES, PART, TICK, Part, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import Machine
@@ -186,10 +187,9 @@ def completions(debuggee: Debuggee, arguments: Body) -> Body:
 
 def _value_of(monitor: Monitor, expression: str) -> Body:
     """Return what a register holds, the word at an address, or what an expression is. Raises MonitorError."""
-    name = debugging.register(expression)
-    if name in debugging.REGISTERS:
-        return {"result": _register(monitor.machine, name)}
-    if not name:
+    if debugging.is_register(monitor, expression):
+        return {"result": _register(monitor.machine, expression)}
+    if not expression:
         raise MonitorError("a register, a symbol or an address expected")
     try:
         address = monitor.address(expression)
@@ -201,7 +201,9 @@ def _value_of(monitor: Monitor, expression: str) -> Body:
 
 
 def _register(machine: Machine, name: str) -> str:
-    return f"{getattr(machine, name):0{len(f'{debugging.greatest(machine, name):o}')}o}"
+    name = debugging.register(name)
+    digits = len(debugging.EXTENSION.get(name, "")) or len(f"{debugging.greatest(machine, name):o}")
+    return f"{debugging.value(machine, name):0{digits}o}"
 
 
 def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
@@ -216,7 +218,7 @@ def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
 
 def _registers(monitor: Monitor) -> Iterator[Body]:
     machine = monitor.machine
-    for name in debugging.REGISTERS:
+    for name in (*debugging.REGISTERS, *(debugging.EXTENSION if machine.memory > FIELD else ())):
         refers = {"memoryReference": reference(getattr(machine, name))} if name in ("pc", "ma") else {}
         yield _variable(name.upper(), _register(machine, name), **refers)
     for switch in debugging.SWITCHES:

@@ -72,7 +72,8 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     if is_register(monitor, place):
         set_(monitor, place, *some((word, *more), "a word", 1, 1))
         return
-    addresses, words = _words(monitor, place), [octal(each) for each in (word, *more)]
+    addresses = _words(monitor, place)
+    words = [octal(f"{monitor.address(each):o}") for each in (word, *more)]
     if len(addresses) > 1 and more:
         raise MonitorError(
             f"{place}: a range is filled with one word; give several with the first address alone"

@@ -22,12 +22,14 @@ from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.dap.session import Session
+from pdp8.monitor import debugging
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes import binary
 from tapes.errors import WorkError
 from tests.pdp8.computer.dectape import reel
 from tests.pdp8.dap.test_wire import FIELDS, PROTOCOL, console, held
+from tests.pdp8.monitor import do
 
 SOURCE = "*200\n\tJMS SUB\n\tHLT\n*300\nSUB,\t0\n\tISZ N\nLAST,\tJMP I SUB\nN,\t7775\nHALF=1234\n$\n"
 
@@ -390,6 +392,31 @@ def test_an_address_has_its_field_in_an_expression(tmp_path: Path) -> None:
         assert expressions.read(f"core[{most:o}]", each)() == 0
         with pytest.raises(MonitorError, match=f"{most + 1:o}: not between 0+ and {most:o}"):
             expressions.read(f"core[{most + 1:o}]", each)
+
+
+@pytest.mark.parametrize("tagged", [False, True])
+def test_a_name_is_one_thing_in_each_place(tagged: bool, tmp_path: Path) -> None:
+    """For a tag that is called as a register is; the monitor's `examine` and `deposit` have it too."""
+    names = (*debugging.REGISTERS, *debugging.EXTENSION, "l")
+    tags = "".join(f"{name.upper()}, 7{number:03o}\n" for number, name in enumerate(names))
+    (tmp_path / "x.pal").write_text(f"*200\nBEGIN, HLT\n{tags * tagged}$\n")
+    debuggee = Debuggee(Launch(program=[str(tmp_path / "x.pal")], memory="8k"), Breakpoints())
+    for name in names:
+        do(debuggee.monitor, f"set {name} 1" if not tagged else "step", f"examine {name}")
+        shown = debuggee.said[-1].removeprefix(f"{debugging.register(name).upper()} ")
+        shown = shown.removeprefix(f"{name.upper()} ")
+        found = scopes.evaluate(debuggee, {"expression": name})["result"]
+        value = expressions.read(name, debuggee.monitor)()
+        if tagged:
+            assert (found, found[6:10]) == (shown, f"{value:04o}")
+            assert (
+                scopes.set_expression(debuggee, {"expression": name, "value": "17"})["value"][6:10] == "0017"
+            )
+        else:
+            assert int(found, 8) == int(shown, 8) == value == 1
+    do(debuggee.monitor, "deposit 300 BEGIN", "assert 300 200")
+    listed = {each["name"] for each in scopes.variables(debuggee, {"variablesReference": 1})["variables"]}
+    assert {name.upper() for name in debugging.EXTENSION} <= listed
 
 
 HEAD = b"Content-Length: 2\r\n\r\n"
