@@ -6,7 +6,7 @@ import click
 
 from pdp8.cli.shared import extras
 from pdp8.cli.shared.arguments import Command, Source
-from pdp8.cli.shared.parameters import octal
+from pdp8.cli.shared.parameters import address, check_start, octal
 from pdp8.cli.shared.rules import flag, option
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, find
@@ -16,7 +16,9 @@ from tapes.errors import WorkError
 @click.command(cls=Command)
 @click.argument("program", type=Source(), required=False)
 @option("--reader", "Tape in the Teletype's reader to begin with.", Source())
-@option("--start", "Where PROGRAM starts, octal.", octal, default="0200", needs="PROGRAM", excludes="--cold")
+@option(
+    "--start", "Where PROGRAM starts, octal.", address, default="0200", needs="PROGRAM", excludes="--cold"
+)
 @option("--sr", "Switch register to begin with, octal.  [default: --start]", octal)
 @option("--drill", "Follow a card key by key; what is wrong is named.", click.Choice(NAMES), only="--kiosk")
 @flag("--kiosk", "Begin the drill again when it is left alone for a minute.", needs="--drill")
@@ -60,6 +62,7 @@ def panel(
     """
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         raise WorkError("the panel needs a terminal; `pdp8 run` works without one")
+    check_start(start, MEMORY[memory])
     extras.need("textual", "panel", "the panel needs Textual")
     from pdp8.console.opening import opening
 

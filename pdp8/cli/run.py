@@ -18,7 +18,7 @@ from pdp8.cli.running.feed import Feed, say_unread
 from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
-from pdp8.cli.shared.parameters import device_option, dialect_option, octal, seconds
+from pdp8.cli.shared.parameters import address, check_start, device_option, dialect_option, octal, seconds
 from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
@@ -48,7 +48,7 @@ class Options:
     """What to run, its inputs and outputs, and what to record."""
 
     program: str | None = of(click.argument("program", type=Source(), required=False))
-    start: int = field("--start", "Address to start at, octal.", octal, default="0200")
+    start: int = field("--start", "Address to start at, octal.", address, default="0200")
     sr: int = field("--sr", "Switch register, octal.", octal, default="0000")
     reader: tuple[str, ...] = field(
         "--reader",
@@ -264,6 +264,7 @@ class _Run:
             self._mount(machine.devices)
         else:
             machine = self._restored(options.restore, [made() for made in devices])
+        check_start(options.start, machine.memory)
         if machine.memory == MEMORY["32k"]:
             command.say("32K of core, and three bits of field: no PDP-8/L had them")
         if found is not None:

@@ -37,7 +37,9 @@ def opening(
     if program and not cold:
         machine.load(last.words)
         session.listing = last.listing
-        machine.sr = start
+        if memory > FIELD:
+            machine.panel.inst_field = start >> 12
+        machine.sr = start & 0o7777
         session.press("load_add")
     if last.notes:
         session.said = f"{last.name}: {'; '.join(last.notes)}"

@@ -120,9 +120,9 @@ class Command(click.Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse, then hold the options to their rules and compare the files that are named."""
-        rest = super().parse_args(ctx, args)
-        if not ctx.resilient_parsing:
-            with augment_usage_errors(ctx):
+        with augment_usage_errors(ctx):
+            rest = super().parse_args(ctx, args)
+            if not ctx.resilient_parsing:
                 rules.check(ctx)
                 self._check_no_clobber(ctx)
                 self._check(ctx)

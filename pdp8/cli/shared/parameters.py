@@ -46,6 +46,14 @@ def _octal(text: str, most: int) -> int:
     return word
 
 
+def check_start(start: int, memory: int) -> None:
+    """Raise a UsageError for an address beyond `memory` words of core."""
+    if start >= memory:
+        raise click.UsageError(
+            f"--start {start:o} is not between 0000 and {memory - 1:o}; --memory adds core."
+        )
+
+
 def seconds(text: str) -> float:
     """Return a machine time: 0 to a thousand million seconds, 31 years. Raises click.BadParameter."""
     return _seconds(text, "0", "1e9")

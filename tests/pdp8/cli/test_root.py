@@ -58,6 +58,17 @@ def test_lists_of_commands_have_whole_lines(group: str, call: Call) -> None:
 
 PARENT = click.Context(root.pdp8, info_name="pdp8")
 EVERY = {context.command_path: context.command for context in commands(PARENT)}
+
+
+@pytest.mark.parametrize("path", EVERY)
+def test_an_option_without_its_value_is_a_misuse_of_its_command(path: str, call: Call) -> None:
+    for param in EVERY[path].params:
+        if isinstance(param, click.Option) and not param.is_flag:
+            word = max(param.opts, key=len)
+            status, _, said = call(f"{path} {word}")
+            assert (status, said.partition("\n")[0]) == (2, f"{path}: Option '{word}' requires an argument.")
+
+
 """Each command by its name, `pdp8 tape show`."""
 
 

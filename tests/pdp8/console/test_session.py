@@ -214,6 +214,11 @@ def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
     assert session.machine.teletype.punch.tape == b""
 
 
+def test_a_program_starts_in_its_field() -> None:
+    session, _ = opening("eia.pal", start=0o10200, memory=0o20000)
+    assert (session.machine.pc, session.machine.panel.inst_field) == (0o10200, 1)
+
+
 def test_a_tape_that_is_none_for_ascii_is_said(session: Session) -> None:
     for name in ("circle.asc", "eia.bin", "circle.eia"):
         assert session.said == "standing still"
