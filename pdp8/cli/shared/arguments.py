@@ -89,6 +89,13 @@ class Folder(_Written):
     """A folder that files are written into; it is made."""
 
     name, completes = "folder", "dir"
+    _of_files = (".svg", ".html", ".pdf", ".png", ".json", ".csv", ".txt", ".zip", ".gz")
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Return the name; fail for that of a file which is not there."""
+        if value.lower().endswith(self._of_files) and not os.path.exists(value):
+            self.fail(f"{value} is the name of a file, not of a folder for files", param, ctx)
+        return str(value)
 
 
 def output(
