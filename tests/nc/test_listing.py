@@ -41,6 +41,7 @@ def test_the_words_for_every_code() -> None:
         tape(
             "001 9 00000 02000 0 02 89",
             "002 1 00100 00100 0 00 81",
+            "003 5 00100 00200 0 02 89",
             "004 7 00100 00300 0 00 83",
             "005 5 00100 00400 0 00 00",
             "006 0 00100 00400 0 05 84",
@@ -55,6 +56,7 @@ def test_the_words_for_every_code() -> None:
     assert [does(step) for step in path.steps] == [
         "read Z: feed point 0.000, final depth 2.000; Z feed 2.1 in/min",
         "tap, feed control at X 0.100 Y 0.100, from 0.000 to 2.000 at 2.1 in/min; partial retract on",
+        "drill at X 0.100 Y 0.200, from 0.000 to 2.000 at 2.1 in/min",
         "bore at X 0.100 Y 0.300, from 0.000 to 2.000 at 2.1 in/min; index work piece",
         "drill at X 0.100 Y 0.400, from 0.000 to 2.000 at 2.1 in/min; program stop, waits for START",
         "position to X 0.100 Y 0.400; X feed 5.5 in/min",
@@ -66,7 +68,7 @@ def test_the_words_for_every_code() -> None:
         "position to X 0.000 Y 0.000; flood coolant on",
     ]
     said = "at X 0.200 Y 0.500, quill down 2.000 · X feed 5.5, Y feed 7.2, Z feed 2.1 in/min · coolant off · "
-    assert in_force(path.steps[7]) == f"{said}partial retract"
+    assert in_force(path.steps[8]) == f"{said}partial retract"
 
 
 def test_the_day_with_the_circle() -> None:

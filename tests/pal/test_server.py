@@ -239,10 +239,13 @@ def test_a_program_is_of_the_tapes_that_settings_name(tmp_path: Path) -> None:
     assert {each.file for each in document.assembly.diagnostics} == {"a.pal", "b.pal"}
     workspace.name_programs({"programs": [["a.pal"]]}, "/tmp")
     assert workspace.tapes(tapes[0]) == tapes[:1]
-    (tmp_path / "way").symlink_to(tmp_path, target_is_directory=True)
-    workspace.name_programs([["a.pal", "../way/b.pal"]], f"{tmp_path}/way")
-    tapes = [(tmp_path / "way" / name).as_uri() for name in ("a.pal", "b.pal")]
+    (tmp_path / "a%20 b").symlink_to(tmp_path, target_is_directory=True)
+    (tmp_path / "b.pal").write_text("A=5\n$\n")
+    workspace = Workspace("pal3", server.read)
+    workspace.name_programs([["a.pal", "../a%20 b/b.pal"]], f"{tmp_path}/a%20 b")
+    tapes = [(tmp_path / "a%20 b" / name).as_uri() for name in ("a.pal", "b.pal")]
     assert workspace.tapes(tapes[0]) == tapes, "an editor does not follow links"
+    assert workspace.document(tapes[0])[0].assembly.symbols == {"A": 5}
 
 
 class Asked:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from pdp8 import shelf
-from tapes import cutting, picture
+from tapes import cutting, paper, picture
 from tapes.errors import TapeError
 from tests.conftest import Call
 
@@ -77,6 +77,8 @@ def test_pages_have_the_whole_tape_and_a_ruler() -> None:
     page = ET.fromstring(picture.pages(CIRCLE, "eia", 0, 1000, "a4"))
     circles = [each for each in page.iter() if each.tag.endswith("circle")]
     assert len(circles) == sum(frame.bit_count() + 1 for frame in CIRCLE[:1000])
+    drawn = [float(each.attrib["height"]) for each in page if each.tag.endswith("svg")]
+    assert max(drawn) < paper.area("a4")[1] * 96 < sum(drawn[:2])
     rulers = [each.text for each in page.iter() if "100 mm" in (each.text or "")]
     assert rulers == [f"100 mm: print at 100 %; page {number} of 3" for number in (1, 2, 3)]
 
