@@ -108,6 +108,13 @@ def test_a_drawing_is_the_one_that_was_looked_at(name: str) -> None:
     assert_looked_at(name, drawn(), digest)
 
 
+def test_an_axis_is_marked_within_the_drawing() -> None:
+    for x in (4333, 4710):
+        drawn = plot(parabola(), Graph(x, 5000, "x*x/4 - .3", -1.6, 1.6), cutter=400, tolerance=100)
+        marks = re.findall(r'<text x="([-\d.]+)"[^>]*font-size="10"[^>]*>-?\d<', drawn)
+        assert 60 < min(map(float, marks)) < max(map(float, marks)) < 780
+
+
 def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
     """CairoSVG makes as many dark pixels of both: it does not know paint-order."""
     svg2png = pytest.importorskip("cairosvg").svg2png

@@ -29,6 +29,10 @@ def test_what_other_tools_write(command: str) -> None:
     found = dump.found(written)
     assert found
     assert (found.frames, found.gap) == (FRAMES, False)
+    few = bytes(range(0o240, 0o264))
+    short = dump.found(commands.run(*command.split(), stdin=few).stdout)
+    assert short
+    assert short.frames == few
     lines = written.splitlines(keepends=True)
     if b"*\n" in lines:  # zeros alone, whose addresses may fit in two bases
         zeros = dump.found(commands.run(*command.split(), stdin=bytes(256)).stdout)

@@ -158,6 +158,7 @@ SHEET = "title='t'\ntask='t'\n[[question]]\nname='a'\nask='How many, in octal, o
         ("43.2\nunit='us'\ntolerance=0.1", "43.3 43.1", "43.4"),
         ("1798.2\nunit='in'", "1,798.2 1798,2 149.85_ft 1798.2_in. 1798.2_inches 1798,200", ""),
         ("17982", "17,982 17982", "17.982 17982_frames"),
+        ("1234567", "1_234_567 1,234,567", "1234_567 12_34_567"),
         ("2789", "2_789 2,789 of_2_789 1_+_2_=_2789", "2_7_89 27_89 2789_="),
         ("43.2\nunit='us'", "43.2_usec 27_cycles_=_43.2_us", "43.2_us_=_27_cycles"),
         ("0.001\nunit='in'", "1/1000 a_thousandth one_thousandth_of_an_inch 1_mil", "1/100 a_thousand"),
