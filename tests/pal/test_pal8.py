@@ -127,7 +127,6 @@ ALLOWED = {
     "small letters": ("*200\n\ttad (5)\n\thlt\n$\n", "PN35", "00200: 1377 7402 00377: 0005"),
     "text": ("*200\n\tTEXT/AB/\n$\n", "PN44", "00200: 0102 0000"),
     "small text": ("*200\n\tTEXT /aB/\n$\n", "PN35", "00200: 4102 0000"),
-    "pause": ("*200\n\tHLT\n\tPAUSE\n\tCLA\n$\n", "PN48", "00200: 7402 7200"),
     "tag": ("*200\nCLA,\t0\n\tTAD CLA\n$\n", "PN30", "00200: 0000 1200"),
     "palbart's": ("*200\n\tACL\n\tFADD 300\n$\n", "PN47 PN47", "00200: 7701 1300"),
     "palbart's as a name": ("*200\nDISK,\t0\n\tTAD DISK\n$\n", "", "00200: 0000 1200"),
