@@ -122,7 +122,7 @@ def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
 
 def _text(value: str | bytes) -> str:
     """Return what was expected or found, in words."""
-    return value if isinstance(value, str) else counted(len(value), "frames")
+    return value or "nothing" if isinstance(value, str) else counted(len(value), "frames")
 
 
 def standing(answer: Answer, whole: Trial, number: int) -> Machine:

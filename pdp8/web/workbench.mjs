@@ -425,7 +425,7 @@ export class Bench {
   #went() {
     const { afternoon, afternoon: { asked }, room } = this;
     const link = /^#(s|exercise)=/.test(location.hash);
-    if (link || location.hash.startsWith(DESK)) {
+    if (link || location.hash.startsWith(DESK) || !inTheRoom()) {
       if (room.open) room.leave();
       if (asked !== null) afternoon.go(asked);
       if (link && !history.state) this.#linked(false);
@@ -461,12 +461,17 @@ function idle() {
   return new Promise((done) => (ask ? ask(done, { timeout: 100 }) : setTimeout(done)));
 }
 
+/** Whether the page opens in the room where its address ends with nothing, or an instant. */
+function inTheRoom() {
+  return document.body.classList.contains("room") && !/[?&]embed=(?!room)/.test(location.search);
+}
+
 /** Put the page into its place, in the room or, if its address asks for something else, at the desk. */
 function furnish(/** @type {any} */ record) {
-  const { hash, search } = location, { body, head } = document;
+  const { hash } = location, { body, head } = document;
   const page = document.createElement("template");
   put(page, ours(record.html));
-  /** @type {HTMLElement} */ (page.content.getElementById("room")).hidden = !body.classList.contains("room") || !/^(#t=.*)?$/.test(hash) || /[?&]embed=(?!room)/.test(search);
+  /** @type {HTMLElement} */ (page.content.getElementById("room")).hidden = !inTheRoom() || !/^(#t=.*)?$/.test(hash);
   body.classList.toggle("afternoon", hash.startsWith(`${DESK}&t=`)); // nothing moves when its bar comes
   head.append(Object.assign(document.createElement("style"), { textContent: record.style }));
   body.prepend(page.content);

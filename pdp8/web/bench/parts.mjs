@@ -81,7 +81,7 @@ export class Parts {
   }
 
   /** Choose a part, with options as they were typed. Throws for one that there is not. */
-  choose(/** @type {string} */ name, /** @type {any} */ typed) {
+  choose(/** @type {string} */ name, /** @type {any} */ typed = {}) {
     const at = this.bench.record.parts.findIndex((/** @type {Part_} */ part) => part.name === name);
     if (at < 0) throw new Error(`no part program ${name}`);
     find("part-name").selectedIndex = at;

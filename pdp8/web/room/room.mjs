@@ -276,8 +276,8 @@ export class Room {
   #key(/** @type {KeyboardEvent} */ event) {
     const { key } = event;
     if (!this.open || event.defaultPrevented || event.target?.matches("input") || this.place.querySelector("dialog[open]")) return;
-    if (modified(event) || (key === " " && event.target?.matches("button"))) return;
-    const act = { "[": -1, "]": 1 }[key];
+    const act = { "[": -1, "]": 1 }[key], altGr = event.altKey && !event.metaKey;
+    if ((modified(event) && !(act && altGr)) || (key === " " && event.target?.matches("button"))) return;
     const control = keyed(this.place.querySelector(".told"), event);
     if (act) this.go({ value: Math.max(0, Math.min(this.tour.length - 1, this.tour.turn + act)) });
     else if (control?.checkVisibility()) control.click();

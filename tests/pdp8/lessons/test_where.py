@@ -45,6 +45,7 @@ UNDER_WAY = "a character is sent while the one before is still under way"
         ("", "\tKSF\n\tJMP .-1", 0o202,
          "it ends, the end: the reader ran out of tape, and the program waits for it at 0202"),
         ("tape='A'", f"\tIAC\n{PRINT}", 0o203, FIRST_WRONG.format(1)),
+        ("page='A'", "", 0o202, "it ends, the page: nothing"),
         ("page='AB'", f"{PRINT}\n{PRINT}", 0o205, FIRST_WRONG.format(2)),
         ("tape='AA'", f"\tTLS\n{PRINT}", 0o203, UNDER_WAY),
         ("tape='AA'", PRINT, 0o205, "it ends, the tape: 1 frame"),

@@ -206,8 +206,9 @@ _NAMED = """() => {
   look("the story", document.body, keys, "#room .told");
   boxes();
   const { body } = document, field = document.getElementById("where");
+  const altGr = { altKey: true, ctrlKey: true };
   room.go({ value: 0 });
-  const turns = [["["], ["]"], ["]", body, { ctrlKey: true }], ["]", field], ..."]]]]]]]]"].map(
+  const turns = [["["], ["]", body, altGr], ["]", body, { ctrlKey: true }], ["]", field], ..."]]]]]]]]"].map(
     ([key, at = body, more = {}]) => (at.press(key, more), room.tour.turn));
   room.take();
   look("the switches", document.body, keys, "#room .told", "#room .hand");
