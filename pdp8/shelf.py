@@ -33,6 +33,12 @@ _KEEPS = {"tape": _BY_HAND, **dict.fromkeys(("text", "drawing"), (*_BY_HAND, *_T
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
 """Endings of pictures in another format than SVG."""
 
+_STREAMS = {
+    "stdin": "standard input",
+    "stdout": "standard output, whose name is -",
+    "stderr": "standard error",
+}
+
 _IMAGES = {
     **dict.fromkeys((".rk05", ".rl01", ".rf08", ".dsk"), "a disk image"),
     **dict.fromkeys((".rx01", ".rx02"), "a floppy's image; no PDP-8/L had one"),
@@ -242,13 +248,14 @@ def identity(name: str) -> object:
     return found.st_dev, found.st_ino
 
 
-def of_standard_input() -> object:
-    """Return the identity of the file that standard input is redirected from; None where it is no file."""
-    try:
-        found = os.fstat(sys.stdin.fileno())
-    except (AttributeError, OSError, ValueError):  # a stream of a test or a notebook, or one that is closed
-        return None
-    return (found.st_dev, found.st_ino) if stat.S_ISREG(found.st_mode) else None
+def stream(name: str) -> str:
+    """Return which standard stream is redirected from or to the file `name`; an empty text for none."""
+    for stream, what in _STREAMS.items():
+        with suppress(AttributeError, OSError, ValueError):  # of a test or a notebook, or closed
+            found = os.fstat(getattr(sys, stream).fileno())
+            if stat.S_ISREG(found.st_mode) and identity(name) == (found.st_dev, found.st_ino):
+                return what
+    return ""
 
 
 def check_kind(name: str, kind: str) -> None:
@@ -297,7 +304,8 @@ def write(name: str, content: bytes) -> bool:
 def replacing(name: str) -> Iterator[str]:
     """Give the name of a file beside `name`, which takes its place and mode unless an exception is raised."""
     path = os.path.realpath(name)
-    beside = f"{path}.{os.getpid()}.part"
+    folder, last = os.path.split(path)
+    beside = os.path.join(folder, f"{last[:50]}.{os.getpid()}.part")  # no longer than a name may be
     try:
         yield beside
         with suppress(FileNotFoundError):
@@ -313,7 +321,7 @@ def check_writable(name: str) -> None:
     if name == "-":
         return
     check_named(name)
-    if os.path.isdir(name):
+    if os.path.isdir(name) or not os.path.basename(name):
         raise ShelfError(f"{name}: Is a directory")
     path = os.path.realpath(name)
     folder = os.path.dirname(path)
@@ -322,8 +330,8 @@ def check_writable(name: str) -> None:
     _check_permission(name, name if os.path.exists(name) else folder)
     if not os.path.isfile(name):
         return
-    if identity(name) == of_standard_input():
-        raise ShelfError(f"{name} is standard input: it is not replaced; name another")
+    if opened := stream(name):
+        raise ShelfError(f"{name} is {opened}: it is not replaced; name another")
     watch = _watches[-1]
     if watch and identity(name) in watch.read and path not in watch.written:
         raise ShelfError(f"{name} was read: it is not replaced; name another")

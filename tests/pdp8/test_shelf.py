@@ -101,9 +101,7 @@ def test_what_cannot_be_written_leaves_what_was_there(
 ) -> None:
     path = tmp_path / "x.bin"
     path.write_bytes(b"old")
-
-    full = OSError(28, "No space left on device")
-    monkeypatch.setattr(os, "replace", Mock(side_effect=full))
+    monkeypatch.setattr(os, "replace", Mock(side_effect=OSError(28, "No space left on device")))
     with pytest.raises(ShelfError, match="No space left on device; this file was not written"):
         shelf.write(str(path), b"new")
     assert path.read_bytes() == b"old"
@@ -116,8 +114,10 @@ def test_what_cannot_be_read_or_written_is_named() -> None:
         shelf.read_text("x")
     with pytest.raises(ShelfError, match="-: standard output has what is said"):
         shelf.leave("-", b"x", "tape")
-    with pytest.raises(ShelfError, match="/tmp: Is a directory"):
-        shelf.check_writable("/tmp")
+    for name in ("/tmp", "x/"):
+        with pytest.raises(ShelfError, match=f"{name}: Is a directory"):
+            shelf.check_writable(name)
+    shelf.write("ü" * 127, b"the longest name")
     with pytest.raises(ShelfError, match="File name too long"):
         shelf.open_punch("x" * 300)
 

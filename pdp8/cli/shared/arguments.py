@@ -228,8 +228,8 @@ def check_files(sources: Iterable[str | None], outputs: Iterable[str | None]) ->
             continue
         if name in files:
             raise click.UsageError(f"{name} is the source; name another file")
-        if os.path.isfile(name) and shelf.identity(name) == shelf.of_standard_input():
-            raise click.UsageError(f"{name} is standard input; name another file")
+        if opened := shelf.stream(name):
+            raise click.UsageError(f"{name} is {opened}; name another file")
         command.check_output(name)
         if os.path.exists(name) and not os.path.isfile(name):
             continue

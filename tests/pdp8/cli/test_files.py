@@ -235,7 +235,7 @@ ALIASES = [
     ("pdp8 run eia.pal --trace c.asc > o", "c.asc is standard input; name another file"),
     ("pdp8 tape convert - --to eia -o soft", "soft is standard input; name another file"),
     ("pdp8 tape convert --to eia -o ./hard", "./hard is standard input; name another file"),
-    ("pdp8 part mirror - -o c.asc", "c.asc is standard input; name another file"),
+    ("pal hello.pal -o soft >> c.asc", "soft is standard output, whose name is -; name another file"),
     ("pdp8 replay drill --out . --html c.asc", "c.asc is standard input; name another file"),
     ("pdp8 cards rim -o there", "there/rim.svg is standard input: it is not replaced; name another"),
     ("pdp8 monitor", "line 1: c.asc is standard input: it is not replaced; name another"),
@@ -243,7 +243,7 @@ ALIASES = [
 
 
 @pytest.mark.parametrize(("line", "refusal"), ALIASES)
-def test_a_file_on_standard_input_is_not_replaced(
+def test_a_file_on_a_standard_stream_is_not_replaced(
     line: str, refusal: str, shell: Shell, tmp_path: Path
 ) -> None:
     content = b"punch c.asc\n" if "monitor" in line else shelf.read_bundled("circle.asc")
@@ -252,7 +252,7 @@ def test_a_file_on_standard_input_is_not_replaced(
     for name in ("hard", "there/rim.svg"):
         os.link(tmp_path / "c.asc", tmp_path / name)
     os.symlink("c.asc", tmp_path / "soft")
-    ran = shell(f"{line} < c.asc")
+    ran = shell(line if ">>" in line else f"{line} < c.asc")
     assert ran.returncode in (1, 2)
     assert refusal in ran.stderr.decode()
     assert (tmp_path / "c.asc").read_bytes() == content
