@@ -82,6 +82,8 @@ class Tcp(Line):
         self._client: socket.socket | None = None
         self._waiting = bytearray()
         self._telnet = b""
+        self._returned = False
+        """Whether the last frame was RETURN."""
         with failing(f"tcp:{address}"):
             self._server = socket.create_server((host or "127.0.0.1", int(port)))
         command.say(f"listens on {host or '127.0.0.1'}:{port}, {bits} bits; Ctrl-C stops")
@@ -118,7 +120,7 @@ class Tcp(Line):
             frames = self._client.recv(256)
         if not frames:
             self._client.close()
-            self._client, self._telnet = None, b""
+            self._client, self._telnet, self._returned = None, b"", False
         return self._without_options(frames)
 
     def send(self, frame: int) -> None:
@@ -138,8 +140,9 @@ class Tcp(Line):
             option = _OPTION.match(rest)
             if option is None:
                 break
-            if option[1] is not None:
+            if option[1] and not (self._returned and option[1] == b"\0"):
                 found += option[1][:1]
+            self._returned = option[1] == b"\r"
             rest = rest[option.end() :]
         self._telnet = rest
         return bytes(found)
@@ -149,7 +152,7 @@ _IAC = 0o377
 _CHARACTER_MODE = bytes([_IAC, 251, 1, _IAC, 251, 3])
 """WILL ECHO, WILL SUPPRESS GO AHEAD."""
 _OPTION = re.compile(
-    rb"\xff[\xfb-\xfe].|\xff\xfa(?:[^\xff]|\xff\xff)*\xff\xf0|\xff[\xf1-\xf9]|(\xff\xff|\r\0|[^\xff])",
+    rb"\xff[\xfb-\xfe].|\xff\xfa(?:[^\xff]|\xff\xff)*\xff\xf0|\xff[\xf1-\xf9]|(\xff\xff|[^\xff])",
     re.DOTALL,
 )
 """DO and its like, a subnegotiation, a command; or a frame: IAC is doubled, RETURN may have NUL behind it."""
