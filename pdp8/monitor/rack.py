@@ -106,12 +106,13 @@ def _check_saved(monitor: Monitor, device: str) -> None:
 
 def lock(monitor: Monitor, device: str, value: str) -> bool:
     """Throw WRITE LOCK of a drive; return False for a word that is not of it."""
-    if value not in _LOCKS:
+    found = [position for word, position in _LOCKS.items() if value and word.startswith(value)]
+    if not found:
         return False
     place = _mounted(monitor, device)
     if isinstance(place, reels.Discs):
         raise MonitorError(f"{device}: no switch locks the discs")
-    place.drive.locked = _LOCKS[value]
+    place.drive.locked = found[0]
     return True
 
 

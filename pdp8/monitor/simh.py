@@ -60,6 +60,7 @@ def attach(monitor: Monitor, *words: str) -> None:
         shelf.check_kind(file, "text" if kind == "lpt" else "tape")
         if kind == "lpt":
             rack.fit(monitor, kind)
+        take_off(monitor, kind)
         monitor.punching[kind] = file
 
 
@@ -83,7 +84,7 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
 
 def take_off(monitor: Monitor, kind: str = "") -> None:
     """Write what was punched into the file that was attached for it; all of them without a name."""
-    for each in [kind] if kind else list(monitor.punching):
+    for each in [name for name in monitor.punching if kind in ("", name)]:
         if each == "lpt":
             printer = next(device for device in monitor.machine.devices if isinstance(device, LP08))
             monitor.say(shelf.leave(monitor.punching.pop(each), printer.paper.encode(), "text"))
@@ -154,7 +155,7 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
         elif value.startswith("dis") and rack.fitted(monitor, kind):
             raise MonitorError(f"{name}: it is fitted, and cannot be removed")
         elif not value.startswith("dis") and not rack.lock(monitor, name, value):
-            monitor.say(f"{name} {value}: passed over, it is SIMH's own")
+            monitor.say(f"{' '.join((name, *values))}: passed over, it is SIMH's own")
     elif what := rack.absent(monitor, name):
         if not value.startswith("dis"):
             raise MonitorError(f"{name}: {what}")

@@ -163,6 +163,6 @@ def test_each_punch_is_written_to_the_file_that_was_attached_for_it() -> None:
         "go 200",
         "wait 1",
     )
-    do(monitor, "deposit 201 1211 6026 7402", "go 200", "wait 1")
+    do(monitor, "attach ptp faster", "deposit 201 1211 6026 7402", "go 200", "wait 1")
     do(monitor, "detach tto", "detach ptp")
-    assert (Path("slow").read_bytes(), Path("fast").read_bytes()) == (b"\xc1", b"\xc1\xc2")
+    assert [Path(name).read_bytes() for name in ("slow", "fast", "faster")] == [b"\xc1", b"\xc1", b"\xc2"]
