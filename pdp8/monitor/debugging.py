@@ -133,7 +133,9 @@ def set_core(monitor: Monitor, size: str) -> None:
         setattr(extension, part, getattr(extension, part) & memory - 1)
     saved = json.loads(state.save(monitor.machine))
     saved["memory"] = memory
+    seen = monitor.expected, monitor.matched, monitor.shown
     monitor.turn_to(json.dumps(saved))
+    monitor.expected, monitor.matched, monitor.shown = seen
 
 
 def greatest(machine: Machine, name: str) -> int:

@@ -164,6 +164,8 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: P
     do(monitor, "page", "set df enabled", "page more")
     assert (said[-1], kept()) == ("", before)
     assert monitor.machine.elapsed > 1
+    do(monitor, "set cpu 32k")
+    assert monitor.shown == len(monitor.machine.teletype.printer.frames)
     for line in ("set cpu 8k", "set cpu 4k", f"restore {tmp_path}/s"):
         do(monitor, line, "page more")
         assert (said[-1], kept()) == ("", before), line
