@@ -85,6 +85,11 @@ class Paper(Page, can_focus=True):
             self.session.machine.teletype.keyboard.press(keys.sent(typed))
             event.stop()
 
+    def on_paste(self, event: events.Paste) -> None:
+        """Type what is pasted, with RETURN at the end of a line."""
+        text = event.text.replace("\r\n", "\r").replace("\n", "\r")
+        self.session.machine.teletype.keyboard.press(keys.sent(text))
+
     def clear(self) -> None:
         self.typed = keys.Paper(_LINES)
         self.struck += 1

@@ -12,6 +12,7 @@ import pytest
 
 pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
 
+from textual.events import Paste
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
@@ -170,8 +171,11 @@ async def test_typing_at_the_teletype(room: Room, pilot: Pilot[None]) -> None:
     assert "ESC goes back" in shown(room)
     await press(pilot, "escape 7 tab up tab 7")
     assert machine.sr == 0o0077
+    await press(pilot, "tab")
+    room.post_message(Paste("ok\nA\r\n"))
+    await pilot.pause()
     turn(room, 1.0)
-    assert len(machine.teletype.printer.frames) == 5
+    assert bytes(machine.teletype.printer.frames[5:]) == b"\xcf\xcb\x8d\xc1\x8d"
 
 
 @scene()
