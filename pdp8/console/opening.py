@@ -37,8 +37,7 @@ def opening(
     if program and not cold:
         machine.load(last.words)
         session.listing = last.listing
-        if memory > FIELD:
-            machine.panel.inst_field = start >> 12
+        machine.panel.inst_field = start >> 12
         machine.sr = start & 0o7777
         session.press("load_add")
     if last.notes:

@@ -34,7 +34,7 @@ def boot(monitor: Monitor, name: str, *force: str) -> None:
         from pdp8.monitor.running import go
 
         rim(monitor)
-        go(monitor, f"{operator.RIM_START:o}")
+        go(monitor, f"{monitor.machine.panel.inst_field << 12 | operator.RIM_START:o}")
         return
     forced = _forced(force)
     found = _program(monitor, name, True)
@@ -77,8 +77,9 @@ def listing(monitor: Monitor, name: str) -> None:
 
 def rim(monitor: Monitor) -> None:
     """Toggle in the RIM loader."""
+    at = monitor.machine.panel.inst_field << 12 | operator.RIM_START
     keys = sum(1 for _ in monitor.operator.toggle(operator.RIM_START, operator.RIM))
-    monitor.say(f"RIM loader in {operator.RIM_START:04o}-7776, {keys} keys")
+    monitor.say(f"RIM loader in {at:04o}-{at + len(operator.RIM) - 1:o}, {keys} keys")
 
 
 def reader(monitor: Monitor, first: str, *more: str) -> None:

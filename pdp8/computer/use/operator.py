@@ -4,8 +4,8 @@
     BIN loader's tape, RIM format ──► RIM loader ──► 7622-7755, 7777
     program's tape, BIN format ──► BIN loader ──► core, checksum in AC
 
-`boot` is a morning's work: MEM PROT down, each tape on its leader, SR and LOAD ADD as the books say, CONT for
-each further section of a tape, STOP when RIM's tape has run through.
+`boot` is a morning's work: MEM PROT down, field switches at 0, each tape on its leader, SR and LOAD ADD as
+the books say, CONT for each further section of a tape, STOP when RIM's tape has run through.
 
 INITIALIZE sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the
 frame on its way. So a tape goes in with the lever at STOP, and START or CONT throws the lever too.
@@ -203,6 +203,7 @@ class Operator:
         """
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
+        self.panel.inst_field = self.panel.data_field = 0
         yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
         yield self.read_rim(loader, "BIN loader")
         if codes.recognise(program) is codes.RIM:

@@ -13,6 +13,7 @@ from pdp8.monitor import rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import find
 from pdp8.monitor.prompt import Monitor
+from tapes import rim
 from tests.pdp8.monitor import do
 
 LONGEST = (
@@ -196,6 +197,16 @@ def test_words_of_8k_are_counted_to_its_end() -> None:
     for words in ("17777/2", "0/20001", "20000"):
         with pytest.raises(MonitorError, match=r"17777|00000 and 20000"):
             do(monitor, f"examine {words}")
+
+
+def test_a_loader_is_where_it_is_said_to_be(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
+    """Whatever the field switches are: `boot` sets them, RIM goes by them."""
+    (tmp_path / "rim").write_bytes(rim.encode({0o200: 0o7402}))
+    fields = "set inst_field 1", "set data_field 1"
+    do(monitor, "set cpu 8k", *fields, "boot hello.pal", "assert 205 7402")
+    assert all("not in core" not in line for line in said)
+    do(monitor, *fields, f"reader {tmp_path}/rim", "boot ptr", "assert 10200 7402")
+    assert "RIM loader in 17756-17776, 18 keys" in said
 
 
 def test_what_is_shown_and_expected_is_what_is_new() -> None:
