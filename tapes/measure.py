@@ -7,7 +7,7 @@ Computer Handbook, DEC).
 import re
 from collections.abc import Iterator, Sequence
 
-from tapes import codes, controls, doubts, frames, redundancy, title
+from tapes import codes, controls, dectape, doubts, frames, redundancy, title
 from tapes.code import Characters, Code, Row
 from tapes.quantities import counted, duration
 
@@ -24,8 +24,11 @@ def report(tape: bytes) -> list[Row]:
     way = redundancy.turned(tape)
     control = controls.other_control(tape, code)
     pieces = frames.strip(tape, code.leader)
+    image = dectape.image(len(tape))
+    listed = "; `pdp8 tape show` lists its files" if dectape.is_image(tape) else ""
     return [
         ("tape", code.title if tape else "empty"),
+        *((("image", f"{image}, by its length{listed}"),) if image and code not in codes.CODES else ()),
         ("frames", f"{len(tape):,}: leader {len(pieces.leader)}, trailer {len(pieces.trailer)}"),
         ("length", length(len(tape))),
         ("time", times(len(tape))),
