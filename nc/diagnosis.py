@@ -4,7 +4,7 @@ frame 821: block 42: 6 blank frames, where zeros are punched: a splice; `pdp8 ta
 """
 
 from nc.blocks import BlockError
-from tapes import codes, controls, doubts, redundancy
+from tapes import codes, controls, doubts, redundancy, title
 from tapes.ascii import ends_blocks
 from tapes.code import Code
 from tapes.eia import DELETE, EOB
@@ -37,9 +37,7 @@ def explain(frames: bytes, error: BlockError) -> str:
         return _in_another_code(frames, code, error)
     labels = code.labels(frames)
     if labels and (error.frame or 0) < labels[-1].stop + ROWS:
-        label = labels[-1]
-        cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
-        return f"frame {label.start}: a title of {len(label)} frames before the program; {cure}"
+        return title.left_out(labels[-1], "program")
     return _in_block(frames, error)
 
 
