@@ -116,7 +116,7 @@ def from_text(lines: str) -> list[int]:
         if not line.isascii():
             other = next(char for char in line if not char.isascii())
             raise TapeError(f"line {number}: {other!r} is not ASCII")
-    plain = lines.replace("\r\n", "\n").replace("\n", "\r\n").encode("ascii")
+    plain = "\r\n".join(re.split("\r\n|\r|\n", lines)).encode("ascii")
     return pack(bytes(byte | 0o200 for byte in plain))
 
 

@@ -10,6 +10,7 @@ from pdp8.cli.shared.arguments import Command, Source, Target, output
 from pdp8.cli.shared.rules import option
 from tapes import dectape, os8
 from tapes.errors import WorkError, naming
+from tapes.text import without_mark
 
 _FRAMES = "BN"
 _AS = click.Choice(["text", "tape", "words"])
@@ -88,6 +89,7 @@ def _packed(content: bytes, kind: str) -> list[int]:
     if kind == "tape":
         return os8.pack(content)
     if kind == "text":
+        content = without_mark(content)
         try:
             return os8.from_text(content.decode())
         except UnicodeDecodeError as error:
