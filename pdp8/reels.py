@@ -50,8 +50,9 @@ class Reel:
 
     def mount(self, name: str, locked: bool = False) -> list[str]:
         """Mount the reel in a file; return notes about it. Raises WorkError, and changes nothing then."""
+        content = shelf.read(name, _LONGEST)
         with naming(name):
-            image, notes = dectape.decode(shelf.read(name, _LONGEST))
+            image, notes = dectape.decode(content)
         self.drive.mount(image, locked)
         self._files[image] = name
         return notes

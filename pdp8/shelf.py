@@ -133,6 +133,8 @@ def find(name: str) -> str:
         os.getcwd()
     except FileNotFoundError:
         raise ShelfError(f"{name}: the current folder is no longer there") from None
+    with failing(name), suppress(FileNotFoundError, NotADirectoryError):
+        os.stat(name)  # in a locked folder, say
     raise ShelfError(f"{name}: no such file, here or among the bundled ones ({', '.join(bundled())})")
 
 

@@ -63,8 +63,9 @@ def _own(part: str, reel: str) -> "Afternoon":
 
     if part not in LISTINGS:
         raise click.UsageError(f"--fortran: the thesis lists {' and '.join(LISTINGS)}; {part} is ours.")
+    content = shelf.read(reel)
     with naming(reel):
-        image, notes = dectape.decode(shelf.read(reel))
+        image, notes = dectape.decode(content)
     command.say_of(reel, notes)
     afternoon = Own(part, image, _say_act)
     for _ in afternoon.through():

@@ -83,6 +83,12 @@ def test_a_reel_is_on_one_drive(monitor: Monitor, tmp_path: Path) -> None:
             do(monitor, f"attach dt1 {tmp_path / name}")
 
 
+def test_a_file_that_is_there_but_cannot_be_read_is_named_once(tmp_path: Path) -> None:
+    (tmp_path / "loop").symlink_to("loop")
+    with pytest.raises(WorkError, match=f"^{tmp_path}/loop: Too many levels of symbolic links"):
+        Reel(0, {}).mount(f"{tmp_path}/loop")
+
+
 def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor, tmp_path: Path) -> None:
     before = (tmp_path / "reel.tu56").read_bytes()
     for line in ("detach dt0 /dev/full", f"detach dt0 {tmp_path / 'reel.tu56'}", "detach dt0"):
@@ -166,12 +172,8 @@ def test_an_image_is_no_program(call: Call, tmp_path: Path) -> None:
         (tmp_path / "image.bin").write_bytes(b"\x93\x0e" * (length // 2))
         assert f"image.bin: {what}" in call("pdp8 run image.bin")[2]
         assert f"image.bin: {what}" in call("pdp8 dis image.bin")[2]
-    (tmp_path / "os8.rk05").write_bytes(b"1")
-    assert "os8.rk05: no program tape: a disk image" in call("pdp8 run os8.rk05")[2]
-
-
-def test_a_disk_is_refused_by_its_name(call: Call, tmp_path: Path) -> None:
     (tmp_path / "os8.rk05").write_bytes(bytes(3_325_952))
+    assert "os8.rk05: no program tape: a disk image" in call("pdp8 run os8.rk05")[2]
     assert "an RK05 disk; no PDP-8/L had one" in call("pdp8 run --memory 8k --dectape 0=os8.rk05")[2]
 
 
