@@ -17,27 +17,26 @@ from tapes.text import in_ascii, lines_of
 _FEWEST = 8
 _FARTHEST = 1 << 24
 """Frames from the first address to another, which * may fill."""
-_NAMES = {8: "octal", 10: "decimal", 16: "hexadecimal"}
 _DRAWN = 9  # columns: eight channels and the sprocket hole
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
 class Dump(NamedTuple):
-    """The frames that a text spells, in which notation, whether its addresses show a gap, and as what they
-    were taken, "" if that is sure.
+    """The frames that a text spells, in which notation, whether its addresses show a gap, and in which base
+    they were taken, 0 if that is sure.
     """
 
     notation: str
     frames: bytes
     gap: bool = False
-    taken: str = ""
+    base: int = 0
 
     @property
     def note(self) -> str:
         """What there is to say of such a file."""
         gap = "; its addresses do not follow one another: is a line missing?" if self.gap else ""
-        taken = f"; its addresses are taken as {self.taken}" if self.taken else ""
+        taken = f"; its addresses are taken in base {self.base}" if self.base else ""
         return f"a dump in {self.notation}, read as {len(self.frames):,} frames{gap}{taken}"
 
 
@@ -66,15 +65,16 @@ def found(content: bytes) -> Dump | None:
     if not notation:
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
-    tried = [(base, _placed(rows, pieces, base)) for base in _bases(rows, notation)]
-    fit = [(base, frames) for base, frames in tried if frames]
-    base, placed = fit[0] if fit else (0, b"")
-    taken = any(frames != placed for _, frames in fit)
+    digits = max(len(row.address) for row in rows)  # 6 or 8: of xxd, hexdump -C, od -Ax
+    hexadecimal = digits in (6, 8) or notation == "hexadecimal words"
+    fit = [base for base in ((16, 8, 10) if hexadecimal else (8, 10, 16)) if _placed(rows, pieces, base)]
+    placed = _placed(rows, pieces, fit[0]) if fit else b""
+    unsure = any(_placed(rows, pieces, base) != placed for base in fit)
     frames = placed or b"".join(pieces)
     letters = any(number.strip("0123456789") for number in numbers)
     many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and letters)
     gap = not placed and any(row.address for row in rows)
-    return Dump(notation.partition(" ")[0], frames, gap, _NAMES[base] if taken else "") if many else None
+    return Dump(notation.partition(" ")[0], frames, gap, fit[0] if unsure else 0) if many else None
 
 
 def unspelled(content: bytes) -> tuple[bytes, str]:
@@ -158,12 +158,6 @@ def _frames(number: str, notation: str) -> bytes:
         return bytes([word & 0o377, word >> 8])
     places = range(len(number) - 2, -1, -2) if notation == "hexadecimal words" else range(0, len(number), 2)
     return bytes([int(number[at : at + 2], base=16) for at in places])
-
-
-def _bases(rows: list[_Row], notation: str) -> tuple[int, int, int]:
-    """Return the bases that addresses may have, that of the likeliest tool first: hexdump or od."""
-    digits = max(len(row.address) for row in rows)
-    return (16, 8, 10) if digits in (6, 8) or notation == "hexadecimal words" else (8, 10, 16)
 
 
 def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:

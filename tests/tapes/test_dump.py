@@ -37,7 +37,7 @@ def test_what_other_tools_write(command: str) -> None:
     if b"*\n" in lines:  # zeros alone, whose addresses may fit in two bases
         zeros = dump.found(commands.run(*command.split(), stdin=bytes(256)).stdout)
         assert zeros
-        assert len(zeros.frames) == 256 or zeros.note.rpartition("; its addresses are taken as ")[1]
+        assert len(zeros.frames) == 256 or zeros.note.rpartition("; its addresses are taken in base ")[1]
     if not re.match(rb"[0-9a-f]{6,8}[ :]", lines[1 - (lines[1] == b"*\n")]):
         return
     for at in range(1, len(lines) - 2):
