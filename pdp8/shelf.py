@@ -364,6 +364,12 @@ def check_named(name: str) -> None:
         raise ShelfError(f"{name}: NUL in the name of a file")
 
 
+def of_user(variable: str, default: str) -> str:
+    """Return the user's folder that `variable` of the environment names; a relative name counts for none."""
+    named = os.environ.get(variable, "")
+    return named if os.path.isabs(named) else os.path.expanduser(default)
+
+
 def open_punch(name: str) -> BinaryIO:
     """Open `name` for frames as they are punched, `-` if no terminal. Raises ShelfError."""
     if name == "-":

@@ -44,15 +44,8 @@ settings.load_profile("untimed")
 os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OPENCV_FOR_THREADS_NUM": "1"}
 
 # Outputs are those of anybody's terminal, and are buffered as they are for anybody.
-for _variable in (
-    "COLUMNS",
-    "LINES",
-    "FORCE_COLOR",
-    "NO_COLOR",
-    "CLICOLOR",
-    "CLICOLOR_FORCE",
-    "PYTHONUNBUFFERED",
-):
+_SHOWN = "COLUMNS", "LINES", "FORCE_COLOR", "NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "PYTHONUNBUFFERED"
+for _variable in _SHOWN:
     os.environ.pop(_variable, None)
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # by `&` of a script

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pdp8 import fitting, leaving
+from pdp8 import fitting, leaving, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source
 from pdp8.cli.shared.parameters import device_option, dialect_option
@@ -154,7 +154,7 @@ def _typed() -> Iterator[str]:
     from prompt_toolkit.completion import WordCompleter
     from prompt_toolkit.history import FileHistory, InMemoryHistory
 
-    folder = os.environ.get("XDG_STATE_HOME", os.path.expanduser("~/.local/state"))
+    folder = shelf.of_user("XDG_STATE_HOME", "~/.local/state")
     kept = os.path.isdir(folder) and os.access(folder, os.W_OK)
     history = FileHistory(os.path.join(folder, "pdp8-monitor")) if kept else InMemoryHistory()
     session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 from collections.abc import Callable
 from contextlib import suppress
 from importlib.util import find_spec
@@ -17,7 +16,7 @@ _NOT_SOURCES = (".pyc", ".so", ".pyd")
 
 def kept(name: str, content: str, make: Callable[[], Any]) -> Any:
     """Return `make(content)`, from the cache if `content` is unchanged."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "pdp8"
+    folder = Path(shelf.of_user("XDG_CACHE_HOME", "~/.cache")) / "pdp8"
     path = folder / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:16]}.json"
     try:
         return json.loads(path.read_text(encoding="utf-8"))

@@ -1,11 +1,13 @@
 """What is kept in the user's cache is taken from there while it holds, and made again else."""
 
 import importlib
+import os
 import zipfile
 from pathlib import Path
 
 import pytest
 
+from pdp8 import shelf
 from pdp8.web import kept as module
 from pdp8.web.kept import house, kept
 
@@ -24,6 +26,9 @@ def test_what_is_kept_is_not_made_again(tmp_path: Path, monkeypatch: pytest.Monk
     assert kept("page", "b", lambda: pytest.fail("made again")) == {"made": 4}
     monkeypatch.setenv("XDG_CACHE_HOME", str(page))
     assert kept("page", "b", lambda: {"made": 5}) == {"made": 5}, "where no folder can be made"
+    for named in ("", "relative"):  # freedesktop.org: "should consider the path invalid and ignore it"
+        monkeypatch.setenv("XDG_CACHE_HOME", named)
+        assert shelf.of_user("XDG_CACHE_HOME", "~") == os.path.expanduser("~")
 
 
 def test_a_zip_of_our_packages_is_a_source_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
