@@ -101,7 +101,8 @@ _JOINED: dict[type[ast.boolop], Callable[..., bool]] = {ast.And: all, ast.Or: an
 
 
 def _named(name: str, monitor: Monitor, address: bool) -> Value:
-    machine, symbol = monitor.machine, monitor.listing.symbols.get(name.upper()[:6])
+    machine = monitor.machine
+    symbol = monitor.listing.symbols.get(name.upper()[:6])
     if symbol is None and debugging.is_register(monitor, name):
         debugging.value(machine, name)
         return lambda: debugging.value(machine, name)
