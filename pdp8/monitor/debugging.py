@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Sequence
-from itertools import chain
 from itertools import cycle as cycle_of
 
 from pal.isa import DEFER, EXECUTE, STATES
@@ -129,8 +128,9 @@ def set_core(monitor: Monitor, size: str) -> None:
     if memory == MEMORY["32k"]:
         monitor.say("no PDP-8/L had 32K, nor three bits of field")
     extension = monitor.machine.processor.extension
-    for part in (*chain(*EXTENSION.values()), "inst_switch", "data_switch"):
-        setattr(extension, part, getattr(extension, part) & memory - 1)
+    for part, kind in extension.fields.items():
+        if kind == "70000":
+            setattr(extension, part, getattr(extension, part) & memory - 1)
     saved = json.loads(state.save(monitor.machine))
     saved["memory"] = memory
     seen = monitor.expected, monitor.matched, monitor.shown

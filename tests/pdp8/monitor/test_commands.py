@@ -199,6 +199,16 @@ def test_words_of_8k_are_counted_to_its_end() -> None:
             do(monitor, f"examine {words}")
 
 
+def test_no_field_is_left_that_is_taken_out(monitor: Monitor) -> None:
+    extension = monitor.machine.processor.extension
+    fields = [name for name, kind in extension.fields.items() if kind == "70000"]
+    do(monitor, "set cpu 32k")
+    for name in fields:
+        setattr(monitor.machine.processor.extension, name, 0o70000)
+    do(monitor, "set cpu 8k", "key load_add")
+    assert {getattr(monitor.machine.processor.extension, name) for name in fields} == {0o10000}
+
+
 def test_a_loader_is_where_it_is_said_to_be(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
     """Whatever the field switches are: `boot` sets them, RIM goes by them."""
     (tmp_path / "rim").write_bytes(rim.encode({0o200: 0o7402}))
@@ -225,6 +235,7 @@ def test_what_is_shown_and_expected_is_what_is_new() -> None:
     do(monitor, "back 0 seconds")
     del monitor.machine.teletype.printer.frames[1:]
     do(monitor, "back 0 seconds")
+    assert all(value < 2 for value in vars(monitor).values() if isinstance(value, int)), "places on the page"
     monitor.machine.teletype.printer.frames.extend(b"D")
     do(monitor, "page more")
     assert said[-1] == "D"
