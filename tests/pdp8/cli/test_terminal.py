@@ -26,6 +26,7 @@ from pdp8.cli.run import run
 from pdp8.cli.running import keyboard, pacing
 from pdp8.cli.running.feed import Feed
 from pdp8.cli.running.keyboard import Terminal, characters, typed
+from pdp8.cli.running.outputs import Output
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Target
 from pdp8.computer.machine import Machine
@@ -261,6 +262,18 @@ def test_a_silent_pipe_holds_no_key_up_and_is_whole_after_a_step_back(
     assert (status, len(prompts)) == (0, 1), said
     late.join()
     os.close(end)
+
+
+def test_of_a_machine_that_was_restored_the_whole_tape_is_written(tmp_path: Path) -> None:
+    machine, restored = Machine(), Machine()
+    machine.teletype.punch.frames += b"AB"
+    restored.teletype.punch.frames += b"ABC"
+    output = Output(machine, str(tmp_path / "p"))
+    machine.teletype.punch.frames += b"D"
+    for each, tape in ((machine, b"D"), (restored, b"ABC")):
+        output.settle(each)
+        assert (tmp_path / "p").read_bytes() == tape
+    output.close()
 
 
 def test_echo_is_for_a_script(call: Call) -> None:

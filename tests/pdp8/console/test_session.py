@@ -192,6 +192,25 @@ def test_mem_prot_is_said(session: Session) -> None:
     assert session.brightness["protect"] == (1,)
 
 
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda one: one.press("stop"),
+        lambda one: one.back(),
+        lambda one: one.back(1),
+        lambda one: one.clear([]),
+    ],
+)
+def test_hands_that_toggle_rim_in_stop(act: Callable[[Session], None]) -> None:
+    session = Session(Machine(), clock=lambda: 0.0)
+    session.toggle_rim()
+    session.advance(0.5)
+    act(session)
+    before = list(session.machine.core)
+    session.advance(3)
+    assert list(session.machine.core) == before
+
+
 def test_time_runs_back_by_an_instruction_and_by_a_second() -> None:
     session, _ = opening("eia.pal", "circle.asc", clock=lambda: 0.0)
     session.press("start")

@@ -15,7 +15,6 @@ import pytest
 from pdp8 import shelf
 from pdp8.computer.hardware.fields import FRAMES, TICK, walk
 from pdp8.computer.hardware.signals import AT_ONCE, NEVER
-from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
 from pdp8.dap import calls, expressions, requests, scopes, wire
 from pdp8.dap.breakpoints import ADDRESSES, LINES, Breakpoints, Point
@@ -418,15 +417,6 @@ def test_a_name_is_one_thing_in_each_place(tagged: bool, tmp_path: Path) -> None
     do(debuggee.monitor, "deposit 300 BEGIN", "assert 300 200")
     listed = {each["name"] for each in scopes.variables(debuggee, {"variablesReference": 1})["variables"]}
     assert {name.upper() for name in debugging.EXTENSION} <= listed
-
-
-def test_what_is_printed_again_after_a_step_back_is_shown_again() -> None:
-    debuggee = Debuggee(Launch(program=["hello.pal"]), Breakpoints())
-    frames, before = debuggee.monitor.machine.teletype.printer.frames, 0
-    for line in ("cont 1", "back 0.5 seconds", "cont 0.3", "cont 0.3"):
-        do(debuggee.monitor, line)
-        assert debuggee.typed() == printed(bytes(frames[before:])).decode().replace("\r", "")
-        before = len(frames)
 
 
 HEAD = b"Content-Length: 2\r\n\r\n"

@@ -123,9 +123,10 @@ def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
 
 def test_a_tape_out_of_the_high_speed_reader_leaves_those_of_the_teletype() -> None:
     monitor = Monitor(lambda line: None, Machine(one_of_each()))
-    do(monitor, "reader circle.asc ellipse.asc", "attach ptr eia.bin", "detach ptr")
-    assert monitor.machine.highspeed.reader.tape == b""
-    assert monitor.waiting_tapes == ["ellipse.asc"]
+    for name, waits in (("ptr", ["ellipse.asc"]), ("tti", [])):
+        do(monitor, "reader circle.asc ellipse.asc", "attach ptr eia.bin", f"detach {name}")
+        assert monitor.machine.highspeed.reader.loaded == (name == "tti")
+        assert monitor.waiting_tapes == waits
 
 
 def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) -> None:
