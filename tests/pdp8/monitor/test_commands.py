@@ -16,21 +16,6 @@ from pdp8.monitor.prompt import Monitor
 from tapes import rim
 from tests.pdp8.monitor import do
 
-LONGEST = (
-    "set ac 1; registers; load hello.pal force; boot hello.pal force; listing hello.pal; rim; assert ac 0; "
-    "go 200 until X 2 times 5; run 5; cont until X 2 times 5; until X 2 times 5; expect X 5; "
-    "wait 0; step 1; cycle 1; back 1 seconds; back until 200 written; trace off; count on; punch off; "
-    "fast-reader hello.pal; fast-punch off; save x; restore x; quit; exit"
-)
-
-
-@pytest.mark.parametrize("line", LONGEST.split("; "))
-def test_one_word_more_than_a_command_takes_is_refused(line: str) -> None:
-    monitor = Monitor(lambda line: None, Machine(one_of_each()))
-    with pytest.raises(MonitorError, match="SURPLUS"):
-        do(monitor, f"{line} SURPLUS")
-    assert (monitor.machine.ticks, monitor.machine.core[0o200], monitor.finished) == (0, 0, False)
-
 
 def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -> None:
     """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `*`."""

@@ -31,7 +31,7 @@ REFUSED = {
     "registers": "now",
     "load": "|nowhere.pal|wrong.pal|cut.bin|eia.pal twice|.|in.asc",
     "boot": "|nowhere.pal|wrong.pal|eia.pal twice|dt0|dt8",
-    "listing": "|nowhere.pal|in.asc",
+    "listing": "|nowhere.pal|in.asc|eia.pal more",
     "rim": "now",
     "key": "|kick|stop kick|load_add dep kick",
     "go": "NOPE|200 soon|200 -1|until|200-203|200 1 2|200 until X 0 times",
