@@ -96,16 +96,6 @@ def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not(tmp_path: Path) -> None:
     assert made.machine.ticks - before == TICKS_PER_SECOND
 
 
-def test_the_lever_leaves_the_tapes_that_wait(monitor: Monitor) -> None:
-    do(monitor, "reader circle.asc ellipse.asc")
-    for position in ("stop", "stop", "start", "start"):
-        do(monitor, f"reader {position}")
-        assert monitor.machine.teletype.reader.on == (position == "start")
-        assert monitor.waiting_tapes == ["ellipse.asc"]
-    do(monitor, "reader none")
-    assert (monitor.waiting_tapes, monitor.machine.teletype.reader.tape) == ([], b"")
-
-
 def test_a_tape_out_of_the_high_speed_reader_leaves_those_of_the_teletype() -> None:
     monitor = Monitor(lambda line: None, Machine(one_of_each()))
     for name, waits in (("ptr", ["ellipse.asc"]), ("tti", [])):
