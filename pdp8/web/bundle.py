@@ -176,7 +176,12 @@ def _json(data: Any) -> str:
 
 def _packed(text: str) -> str:
     """Return `text` compressed (deflate) and in base64."""
-    return base64.b64encode(zlib.compress(text.encode(), 9, wbits=-15)).decode("ascii")
+    data = text.encode()
+    made = (
+        zlib.compressobj(9, zlib.DEFLATED, -15, level) for level in (4, 8)
+    )  # in short blocks, in long ones
+    shortest = min((each.compress(data) + each.flush() for each in made), key=len)
+    return base64.b64encode(shortest).decode("ascii")
 
 
 def _policy(*scripts: str) -> str:

@@ -237,10 +237,10 @@ export class Bench {
       this.say(`${name}: longer than ${grouped(LARGEST)} bytes, the most that is read of a file`);
       return;
     }
-    const frames = bytes(new Uint8Array(await file.arrayBuffer()));
-    const text = new TextDecoder().decode(frames);
     const source = /\.(pa[l8]?|txt|src)$/i.test(name);
     try {
+      const frames = bytes(new Uint8Array(await file.arrayBuffer())); // of a folder there are none
+      const text = new TextDecoder().decode(frames);
       const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (this.drives.takes(name, frames)) this.drives.mount(name, frames);
@@ -328,7 +328,7 @@ export class Bench {
   /** Give a link to the program and the machine, or, where it would be too long, a file of them. */
   async share() {
     const { called: name, text } = this.editor;
-    const state = JSON.parse(save(this.machine));
+    const state = JSON.parse(this.drives.bare(this.machine));
     const { format, version } = state;
     const machine = shortened(state, JSON.parse(save(new Machine(one_of_each()))), this.#bundled());
     this.shared = JSON.stringify({ program: { name, text }, machine: { format, version, ...machine } });

@@ -70,7 +70,11 @@ export class Drives {
 
   /** A machine of a saved state, which may have a TC08 with reels that are here. */
   restored(/** @type {string} */ state) {
-    return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
+    try {
+      return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
+    } catch (/** @type {any} */ { message }) {
+      throw new Error(message.replace(/mount it first.*/, "drop it on the page first"));
+    }
   }
 
   /** Let the machine be as a state of it says that has no reels; those that are here stay as they are. */

@@ -101,9 +101,8 @@ class Card {
     this.#say(`Go on: ${this.card.steps[coach.at].say}`);
   }
 
-  /** Something else is in core: nobody practises. */
+  /** Something else is in core: nobody practises, nor has toggled it in. */
   end() {
-    if (!this.coach) return;
     this.coach = /** @type {Coach | null} */ (null);
     this.#say("");
   }

@@ -281,6 +281,7 @@ _DONE = (
     "editor.run(); workbench.time.toggle(); workbench.time.toggle(); workbench.core.runUntil();",
     "drives.mount('one.tu56', new Uint8Array(380292));",
     "switches.press('sing step'); workbench.switches.press('mem prot'); workbench.switches.press('start');",
+    "switches.card.practise(); workbench.switches.press('load add');",
     "switches.card.toggle(); workbench.switches.flip({ value: 3 }); workbench.switches.press('load add');",
     "editor.count({ checked: true }); workbench.editor.mark({ value: 130 }); workbench.editor.run();",
     "parts.name = 'circle.asc'; workbench.parts.translate();",
@@ -289,7 +290,7 @@ _DONE = (
 """What a visitor may do at the machine."""
 _THERE = (
     r"machine |\.(?!program|speed|own)"
-    r"|#(clock|why|play|next|computer|registers|paper|block@hidden|reader|lever|punch|pc8|part)\b"
+    r"|#(clock|why|play|next|computer|registers|paper|block@hidden|drill|reader|lever|punch|pc8|part)\b"
 )
 _CHANGED = """([before, there]) => {
   const now = walk.state(), all = [...new Set([...Object.keys(before), ...Object.keys(now)])];

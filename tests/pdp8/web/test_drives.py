@@ -11,6 +11,15 @@ from tests.pdp8.computer.dectape import reel
 from tests.pdp8.web.browsing import DESK, Browser, Page, click, until, visit
 
 P = "workbench.machine.processor"
+_GIVEN = """async () => {
+  const given = [], { download } = workbench;
+  workbench.download = (_, content) => given.push(content);
+  workbench.save();
+  workbench.download = download;
+  await workbench.share();
+  return [workbench.shared, ...given];
+}"""
+_TAKEN = "(text) => workbench.take(new File([text], 'taken'))"
 SYSTEM = Path(os.environ.get("PDP8_OS8", "")) / "ps8.tu56"
 
 
@@ -40,8 +49,13 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
         page.locator("[aria-label='Drive 0'] [data-click='drives.save']").click()
     image, _ = decode(saved.value.path().read_bytes())
     assert [image.words[129 * 5 + at] for at in (0, 1, 2)] == [5, 0o1234, 5]
+    shared, state = page.evaluate(_GIVEN)
     page.reload()
     until(page, "!!window.workbench?.ready")
+    page.evaluate(_TAKEN, state)
+    assert page.evaluate("workbench.why").endswith("drop it on the page first")
+    page.evaluate(f"{P}.core.fill(0)")
+    page.evaluate(_TAKEN, shared)
     assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]
     assert row.is_hidden()  # a reel is too large to be kept
     page.evaluate(
