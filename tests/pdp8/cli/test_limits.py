@@ -11,7 +11,7 @@ from pdp8.cli.root import pdp8
 from release.reference import commands
 
 LIMITS = """\
-run --start, panel --start | 0 7777 | 8 -1 10000
+run --start, panel --start | 0 77777 | 8 -1 100000
 run --sr, panel --sr | 0 7777 | 8 -1 10000
 run --max-time | 0 1e9 | -0.1 1.1e9 nan soon
 check --cpu | 0.1 3600 | 0.09 3600.1 nan

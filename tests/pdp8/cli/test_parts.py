@@ -310,22 +310,11 @@ def test_a_tape_that_its_owner_may_not_expect(
         assert bool(said) == bool(doubt and not quiet)
 
 
-def test_the_page_of_a_replay_replaces_no_other_file_of_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("pdp8.replay.desk.desk", lambda afternoon: {"a.html": b"A"})
-    monkeypatch.setattr("pdp8.web.workbench.page", lambda afternoon: "B")
-    afternoon: Any = SimpleNamespace()
-    with click.Context(replay.replay):
-        for name in ("of/a.html", "./of/../of/a.html"):
-            with pytest.raises(click.UsageError, match="is the name of another file of the replay"):
-                replay._leave(afternoon, "of", name)
-            assert not Path("of").exists()
-        replay._leave(afternoon, "of", None)
-        for name in ("a.html", "of/b.html"):
-            replay._leave(afternoon, "of", name)
-            assert (Path("of/a.html").read_text(), Path(name).read_text()) == ("A", "B")
+def test_the_page_of_a_replay_replaces_no_other_file_of_it() -> None:
+    for name in ("of/drill.svg", "./of/../of/figures.txt"):
+        with pytest.raises(click.UsageError, match="is the name of another file of the replay"):
+            replay._check("drill", "of", name, in_fortran=False)
+    replay._check("drill", "of", "of/other.html", in_fortran=False)
 
 
 @pytest.mark.parametrize(("left", "shown"), [(False, []), (True, ["cont goes back into the program"])])
