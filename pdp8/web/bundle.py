@@ -22,7 +22,7 @@ from importlib.resources import files
 from typing import Any
 
 from pdp8.web import translator
-from pdp8.web.names import COMMENT, EXPORT, IMPORT, exports, needed
+from pdp8.web.names import COMMENT, EXPORT, IMPORT, exported, exports, mentioned, needed
 from pdp8.web.names import faults as faults_of
 
 _HERE = "pdp8/web/"
@@ -63,10 +63,21 @@ def scripts(entry: str) -> tuple[str, str]:
     every = dict(first)
     for path in _LATER.findall(text):
         _collect(_path(_HERE + entry, path), every)
-    later = {name: every[name] for name in every if name not in first}
-    first[_RUNTIME] = _used_of_the_runtime(first[_RUNTIME], [text, *every.values()])
+    every = _used(every, text)
+    every[_RUNTIME] = _used_of_the_runtime(every[_RUNTIME], [text, *every.values()])
+    first, later = {name: every.pop(name) for name in first}, every
     named = _LATER.sub(lambda match: f"pack.later(() => {_identifier(_path(_HERE + entry, match[1]))})", text)
     return _script(first, f"(() => {{\n{_body(_HERE + entry, named)}\n}})();"), _script(later)
+
+
+def _used(every: dict[str, str], entry: str) -> dict[str, str]:
+    """Return the modules, each after its imports; of those that are translated only what is used."""
+    used = mentioned(entry)
+    for name in reversed([*every]):
+        if name.replace("/", ".") in translator.translated():
+            every[name] = exported(every[name], used)
+        used |= mentioned(every[name])
+    return every
 
 
 def _used_of_the_runtime(runtime: str, texts: Iterable[str]) -> str:

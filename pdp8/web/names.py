@@ -21,10 +21,11 @@ COMMENT = re.compile(
 _DECLARED = re.compile(
     r"^(?:export )?(?:const|let|class|function\*?|async function) ([\w$]+|\{[^}]*\})", re.MULTILINE
 )
-_WORD = re.compile(r"(?<![.\w$])[A-Za-z_$][\w$]*(?!\w*:)")
+_WORD = re.compile(r"(?<![\w$])(?<!(?<!\.)\.)[A-Za-z_$][\w$]*(?!\w*:)")  # `...x`, but not `a.x` nor `x: 1`
 _GIVEN = re.compile(r"^give\((?:String|Array), \{\n(.*?)^\}\);\n", re.MULTILINE | re.DOTALL)
 _METHOD = re.compile(r"^(?=  \w+(?:\(|:)|\}\);)", re.MULTILINE)
 _PART = re.compile(r"^(?=[^\s})/])", re.MULTILINE)
+_EXPORTED = re.compile(r"^(?=export )", re.MULTILINE)
 
 
 def exports(text: str) -> list[str]:
@@ -67,12 +68,27 @@ def needed(text: str, used: Iterable[str], called: Iterable[str]) -> str:
     """Return the runtime without functions that nothing uses and methods that are not `called`."""
     methods = {*re.findall(r"\.(\w+)", text), *called}
     text = _GIVEN.sub(lambda given: "".join(_called(given[0], methods)), text)
-    parts = _PART.split(text)
+    return _needed(_PART.split(text), _DECLARED, used)
+
+
+def exported(text: str, used: Iterable[str]) -> str:
+    """Return a module that exports all it has, without what is not needed for `used`."""
+    return _needed(_EXPORTED.split(text), EXPORT, used)
+
+
+def _needed(parts: list[str], declared: re.Pattern[str], used: Iterable[str]) -> str:
     words = [frozenset(_WORD.findall(part)) for part in parts]
-    own = [frozenset(_names(_DECLARED.findall(part))) for part in parts]
+    own = [frozenset(_names(declared.findall(part))) for part in parts]
     wanted, before = set(used), set[str]()
     while wanted != before:
         before = set(wanted)
         kept = [not names or not names.isdisjoint(wanted) for names in own]
         wanted.update(*compress(words, kept))
     return "".join(compress(parts, kept))
+
+
+def mentioned(text: str) -> set[str]:
+    """Return every name in a module, those that it imports only as far as it uses them."""
+    names = set(re.findall(r"[\w$]+", IMPORT.sub("", text)))
+    given = (pair for what, _ in IMPORT.findall(text) for pair in re.findall(r"([\w$]+) as ([\w$]+)", what))
+    return names | {name for name, alias in given if alias in names}

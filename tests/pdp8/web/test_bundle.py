@@ -45,3 +45,16 @@ def test_what_is_not_needed_is_left_out() -> None:
     )
     assert names.needed(text, ["two"], []) == text.replace("export const three = 3;\n", "")
     assert names.needed(text.replace("two.x = four;\n", ""), ["three"], []) == "export const three = 3;\n"
+
+
+def test_of_a_translated_module_what_is_used_is_kept_with_what_it_uses() -> None:
+    one, two, three, four = (
+        "export function one() {\nlet two;\nreturn {two: 1};\n}\n",
+        "export const two = 2;\n",
+        "export class Three {\n}\nThree.prototype.one = [...two];\n",
+        "export const { four, five } = new Three();\n",
+    )
+    text = f'import {{ a }} from "./b.mjs";\n{one}{two}{three}{four}'
+    kept = {name: names.exported(text, [name]).partition("\n")[2] for name in ("one", "two", "five", "a")}
+    assert kept == {"one": one + two, "two": two, "five": two + three + four, "a": ""}
+    assert names.mentioned('import { a as b, c as d } from "./e.mjs";\nf(b);\n') == {"a", "b", "f"}

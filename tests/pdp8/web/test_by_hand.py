@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pdp8.web import translator
+from pdp8.web import bundle, translator
 from tests.pdp8.web import node
 
 _FAULTS = """
@@ -42,6 +42,18 @@ def _said(tool: str, *options: str, folder: Path) -> str:
 def test_eslint() -> None:
     config = str(TOOLS / "eslint.config.mjs")
     assert not _said("eslint/bin/eslint.js", "--config", config, "pdp8", "tests", folder=node.HOUSE)
+
+
+@pytest.mark.slow("reads two scripts of half a million characters")
+def test_no_name_is_missing_in_what_the_pages_run(tmp_path: Path) -> None:
+    """What is left out of the modules is used by nothing that is there."""
+    config = (TOOLS / "eslint.config.mjs").read_text().partition("export default")[0].split("\n", 3)[3]
+    config += "const languageOptions = { sourceType: 'script', globals: readonly(BROWSER) };\n"
+    config += "export default [{ files: ['*.js'], rules: { 'no-undef': 'error' }, languageOptions }];\n"
+    (tmp_path / "eslint.config.mjs").write_text(config)
+    for entry in ("workbench", "curve"):
+        (tmp_path / f"{entry}.js").write_text("\n".join(bundle.scripts(entry)))
+    assert not _said("eslint/bin/eslint.js", "--config", "eslint.config.mjs", ".", folder=tmp_path)
 
 
 def test_types(tmp_path: Path) -> None:
