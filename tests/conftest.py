@@ -44,8 +44,9 @@ settings.load_profile("untimed")
 os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OPENCV_FOR_THREADS_NUM": "1"}
 
 # Outputs are those of anybody's terminal, and are buffered as they are for anybody.
-_SHOWN = "COLUMNS", "LINES", "FORCE_COLOR", "NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "PYTHONUNBUFFERED"
-for _variable in _SHOWN:
+_TERMINAL = "COLUMNS", "LINES", "FORCE_COLOR", "NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"
+_RICH, _PYTHON = ("TTY_COMPATIBLE", "TTY_INTERACTIVE"), ("UNBUFFERED", "IOENCODING", "SAFEPATH", "WARNINGS")
+for _variable in (*_TERMINAL, *_RICH, *(f"PYTHON{name}" for name in _PYTHON)):
     os.environ.pop(_variable, None)
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # by `&` of a script
