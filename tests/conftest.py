@@ -101,6 +101,12 @@ def _process() -> tuple[object, ...]:
     return handlers, os.getcwd()
 
 
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have a test work in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+
+
 class Stream(io.TextIOWrapper):
     """A standard stream in memory, a terminal or not."""
 

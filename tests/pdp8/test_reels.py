@@ -51,9 +51,7 @@ def test_an_image_comes_back_byte_for_byte() -> None:
     assert dectape.decode(reel.content())[0].words == reel.words
 
 
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("here")
 
 
 @pytest.fixture

@@ -11,10 +11,7 @@ import pytest
 from pdp8 import shelf
 from pdp8.shelf import ShelfError
 
-
-@pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("here")
 
 
 def test_what_is_here_comes_before_what_is_bundled_and_hides_it() -> None:

@@ -16,14 +16,16 @@ from pdp8.monitor.prompt import Monitor
 from tapes import rim
 from tests.pdp8.monitor import do
 
+pytestmark = pytest.mark.usefixtures("here")
 
-def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch(tmp_path: Path) -> None:
+
+def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch() -> None:
     """RFC; RSF; JMP .-1; RRB; PLS; HLT (the user's handbook) copies the first frame of hello.pal, its `*`."""
     monitor = Monitor(lambda line: None, Machine(one_of_each()))
     for line in ("deposit 200 6014 6011 5201 6012 6026 7402", "fast-reader hello.pal", "go 200 1", "wait 1"):
         do(monitor, line)
-    do(monitor, f"fast-punch {tmp_path}/x")
-    assert (tmp_path / "x").read_bytes() == b"*"
+    do(monitor, "fast-punch x")
+    assert Path("x").read_bytes() == b"*"
 
 
 def test_a_command_may_be_shortened() -> None:
@@ -42,7 +44,7 @@ def test_a_command_may_be_shortened() -> None:
     assert {word: find(word).name for word in names} == names
 
 
-def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
+def test_what_ctrl_c_sets_is_the_stop_key_once() -> None:
     """It is set as the second tape goes in."""
     said: list[str] = []
 
@@ -51,8 +53,8 @@ def test_what_ctrl_c_sets_is_the_stop_key_once(tmp_path: Path) -> None:
         made.stopping = line.endswith("goes into the reader")
 
     made = Monitor(say)
-    (tmp_path / "a").write_bytes(b"\x81" * 20)
-    do(made, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200")
+    Path("a").write_bytes(b"\x81" * 20)
+    do(made, "deposit 200 6031 5200 6036 5200", "reader a a", "go 200")
     assert said[-1].startswith("stop key; ")
     do(made, "cont")
     assert said[-1].startswith("waits for a tape; ")
@@ -82,13 +84,13 @@ def test_a_traced_step_is_the_last_after_ctrl_c() -> None:
     assert len(said) == 2
 
 
-def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not(tmp_path: Path) -> None:
+def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not() -> None:
     def say(line: str) -> None:
         made.stopping = made.stopping or line.endswith("goes into the reader")
 
     made = Monitor(say)
-    (tmp_path / "a").write_bytes(b"\x81" * 20)
-    do(made, "deposit 200 6031 5200 6036 5200", f"reader {tmp_path}/a {tmp_path}/a", "go 200 0.1", "wait 60")
+    Path("a").write_bytes(b"\x81" * 20)
+    do(made, "deposit 200 6031 5200 6036 5200", "reader a a", "go 200 0.1", "wait 60")
     assert made.stopping
     assert made.machine.elapsed < 10
     before = made.machine.ticks
@@ -104,33 +106,32 @@ def test_a_tape_out_of_the_high_speed_reader_leaves_those_of_the_teletype() -> N
         assert monitor.waiting_tapes == waits
 
 
-def test_a_second_reader_command_takes_the_place_of_the_first(tmp_path: Path) -> None:
+def test_a_second_reader_command_takes_the_place_of_the_first() -> None:
     monitor = Monitor(lambda line: None, Machine())
     for name in "abc":
-        (tmp_path / name).write_bytes(b"\x80x")
-    do(monitor, f"reader {tmp_path}/a {tmp_path}/b")
-    assert monitor.waiting_tapes == [f"{tmp_path}/b"]
-    do(monitor, f"reader {tmp_path}/c")
+        Path(name).write_bytes(b"\x80x")
+    do(monitor, "reader a b")
+    assert monitor.waiting_tapes == ["b"]
+    do(monitor, "reader c")
     assert monitor.waiting_tapes == []
 
 
-def test_tapes_that_went_in_wait_again_after_back(tmp_path: Path) -> None:
+def test_tapes_that_went_in_wait_again_after_back() -> None:
     monitor = Monitor(lambda line: None, Machine())
-    names = [tmp_path / name for name in ("a", "b", "c")]
-    for name, frames in zip(names, (b"\x80\x81", b"\x82\x83", b"\x84\x85"), strict=True):
-        name.write_bytes(frames)
-    do(monitor, "deposit 200 6031 5200 6036 6046 5200", f"reader {' '.join(map(str, names))}", "go 200 3")
+    for name, frames in zip("abc", (b"\x80\x81", b"\x82\x83", b"\x84\x85"), strict=True):
+        Path(name).write_bytes(frames)
+    do(monitor, "deposit 200 6031 5200 6036 6046 5200", "reader a b c", "go 200 3")
     for count in (1, 2, 3, 4, 5):
         do(monitor, f"back {count} characters", "cont 3")
         assert monitor.machine.teletype.punch.tape == b"\x80\x81\x82\x83\x84\x85"
         assert monitor.waiting_tapes == []
 
 
-def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: Path) -> None:
+def test_a_session_keeps_its_settings_with_another_machine_or_device() -> None:
     """After `restore` and `set cpu` page and time are the other machine's; a device fitted leaves these."""
     said: list[str] = []
     monitor = Monitor(said.append)
-    do(monitor, "load hello.pal", "set hands 0.5", "break 205", "watch 300", f"save {tmp_path}/s")
+    do(monitor, "load hello.pal", "set hands 0.5", "break 205", "watch 300", "save s")
     do(monitor, "go 200 3", "forget 205")
 
     def kept() -> list[object]:
@@ -143,13 +144,13 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device(tmp_path: P
     assert monitor.machine.elapsed > 1
     do(monitor, "set cpu 32k")
     assert monitor.shown == len(monitor.machine.teletype.printer.frames)
-    for line in ("set cpu 8k", "set cpu 4k", f"restore {tmp_path}/s"):
+    for line in ("set cpu 8k", "set cpu 4k", "restore s"):
         do(monitor, line, "page more")
         assert (said[-1], kept()) == ("", before), line
-    do(monitor, "go 200 3", f"save {tmp_path}/printed")
+    do(monitor, "go 200 3", "save printed")
     other = Monitor(said.append)
     other.machine.teletype.printer.frames.extend(b"OTHER")
-    for line in ("page more", f"restore {tmp_path}/printed", "page more"):
+    for line in ("page more", "restore printed", "page more"):
         do(other, line)
     assert "HELLO, WORLD." in said[-3:]
 
@@ -185,13 +186,13 @@ def test_no_field_is_left_that_is_taken_out(monitor: Monitor) -> None:
     assert {getattr(monitor.machine.processor.extension, name) for name in fields} == {0o10000}
 
 
-def test_a_loader_is_where_it_is_said_to_be(monitor: Monitor, said: list[str], tmp_path: Path) -> None:
+def test_a_loader_is_where_it_is_said_to_be(monitor: Monitor, said: list[str]) -> None:
     """Whatever the field switches are: `boot` sets them, RIM goes by them."""
-    (tmp_path / "rim").write_bytes(rim.encode({0o200: 0o7402}))
+    Path("rim").write_bytes(rim.encode({0o200: 0o7402}))
     fields = "set inst_field 1", "set data_field 1"
     do(monitor, "set cpu 8k", *fields, "boot hello.pal", "assert 205 7402")
     assert all("not in core" not in line for line in said)
-    do(monitor, *fields, f"reader {tmp_path}/rim", "boot ptr", "assert 10200 7402")
+    do(monitor, *fields, "reader rim", "boot ptr", "assert 10200 7402")
     assert "RIM loader in 17756-17776, 18 keys" in said
 
 
