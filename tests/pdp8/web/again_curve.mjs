@@ -248,7 +248,7 @@ export const cases = {
     const { svg } = Object.assign(find("own"), { svg: find("own").querySelector("svg") });
     const figure = own({ words: [], workbench: "bench.html" }, save, open);
     const state = () => [save.disabled, Boolean(open.href)];
-    const until = async (holds) => { while (!holds()) await soon(100); };
+    const until = async (holds) => { for (let turns = 0; turns < 2000 && !holds(); turns++) await soon(100); };
     const asked = () => begun.at(-1)?.asked.length;
     figure.now();
     await until(asked);
