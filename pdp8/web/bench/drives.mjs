@@ -72,8 +72,8 @@ export class Drives {
   restored(/** @type {string} */ state) {
     try {
       return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
-    } catch (/** @type {any} */ { message }) {
-      throw new Error(message.replace(/mount it first.*/, "drop it on the page first"));
+    } catch (/** @type {any} */ cause) {
+      throw new Error(cause.message.replace(/mount it first.*/, "drop it on the page first"), { cause });
     }
   }
 

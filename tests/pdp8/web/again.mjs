@@ -166,7 +166,10 @@ export const cases = {
     for (let step = 0, chance = 1; step < 300; step++) {
       const name = "abc"[(chance = (chance * 16807) % 2147483647) % 3], way = chance % 5, text = String(step);
       if (way < 2) prototype.setItem = way ? setItem : () => { throw new Error("full"); };
-      else if (way === 2) (has.delete(name), programs.remove(name));
+      else if (way === 2) {
+        has.delete(name);
+        programs.remove(name);
+      }
       else has.set(way === 3 ? (programs.keep(name, text), name) : programs.take(name, text), text);
       if (way > 2 && programs.refused !== (prototype.setItem === setItem ? "" : "full")) wrong.push(step);
       if (String(programs.names()) !== String([...has.keys()].sort()) || [...has].some(([each, kept]) => programs.get(each) !== kept)) wrong.push(step);

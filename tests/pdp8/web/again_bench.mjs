@@ -358,12 +358,12 @@ export const cases = {
     const { History } = await import("./pdp8/computer/past/history.mjs"), { instructions } = await import("./pdp8/computer/past/rewind.mjs");
     const { Teletype } = await get("bench/teletype");
     const bench = await desk({ shelf: { get: () => ({ frames: bytes([0o301, 0o302]) }) } });
-    const { machine } = bench, history = new History(machine), made = new Teletype(bench);
+    const history = new History(bench.machine), made = new Teletype(bench);
     made.mount("a");
-    machine.run(null, 2);
+    bench.machine.run(null, 2);
     made.mount("b"); // the same frames
     const seen = [made.called()];
-    machine.run(null, 2);
+    bench.machine.run(null, 2);
     instructions(history, 3);
     return [[...seen, made.called()], ["b", "a"]];
   },

@@ -30,7 +30,7 @@ window.stale = () => {
   const { printer, punch, reader } = machine.teletype, at = (id) => document.getElementById(id);
   if (clock.pictures.running) return [];
   const all = (selector) => [...document.querySelectorAll(selector)], text = (selector) => document.querySelector(selector).textContent;
-  const octal = (word) => word.toString(8).padStart(4, "0"), count = (number) => number.toLocaleString("en").replaceAll(",", "\u202f"), frames = ({ length }) => (length === 1 ? "1 frame" : `${length ? count(length) : "no"} frames`);
+  const octal = (word) => word.toString(8).padStart(4, "0"), count = (number) => number.toLocaleString("en").replaceAll(",", "\u202f"), counted = ({ length }) => (length === 1 ? "1 frame" : `${length ? count(length) : "no"} frames`);
   const paper = new teletype.paper.constructor(400);
   for (const frame of printer.frames) paper.take(frame);
   const tape = teletype.terminal ?? punch, here = (value) => watch.breakpoints.has(Number(value));
@@ -40,8 +40,8 @@ window.stale = () => {
     lever: [text("#lever"), `Lever to ${reader.on ? "STOP" : "START"}`],
     punch: [text("#punch-on"), `Turn punch ${punch.on ? "OFF" : "ON"}`],
     reader: [text("#reader .name"), reader.loaded ? `${teletype.called()} ${count(reader.position)} of ${count(reader.tape.length)}`.trim() : "no tape"],
-    punched: [text("#punch .name"), frames(tape.frames)],
-    fast: [text("#pc8-punch"), `${frames(fast.punch.frames)} punched`],
+    punched: [text("#punch .name"), counted(tape.frames)],
+    fast: [text("#pc8-punch"), `${counted(fast.punch.frames)} punched`],
     tear: [["tear", "store", "to-mill", "pc8-tear"].map((id) => at(id).disabled), [punch, punch, punch, fast.punch].map(({ frames }) => !frames.length)],
     load: [["load", "boot"].map((id) => at(id).disabled), Array(2).fill(!editor.assembly.words.length)],
     cut: at("part-cut").disabled ? [] : [punch.frames.length > 0, true],

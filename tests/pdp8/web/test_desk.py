@@ -264,13 +264,13 @@ def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
             page.evaluate(f"() => {{ workbench.{asks}; }}")
             page.wait_for_timeout(300)
             page.evaluate(f"() => {{ workbench.{later or 'show()'}; }}")
-            page.wait_for_timeout(500)
-            said = page.locator(place)
-            assert (f"{name} is refused" in said.evaluate("(it) => it.textContent")) is (not later), (
-                name,
-                later,
-            )
-            said.evaluate("(it, later) => { if (later) it.textContent = ''; }", bool(then))
+            refused = f"document.querySelector({place!r}).textContent.includes('{name} is refused')"
+            if later:
+                page.wait_for_timeout(500)
+                assert not page.evaluate(refused), (name, later)
+            else:
+                until(page, refused)
+            page.locator(place).evaluate("(it, later) => { if (later) it.textContent = ''; }", bool(then))
             page.wait_for_timeout(300)
 
 
