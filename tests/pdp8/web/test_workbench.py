@@ -60,7 +60,7 @@ def test_what_is_wrong_is_said_at_its_line(page: Page) -> None:
     page.locator("#source").fill("*200\n\t5 + 3\n\tJMP NOPE\n$\n")
     until(page, "document.querySelectorAll('#gutter .error').length === 1")
     assert "undefined: NOPE" in page.locator(".typed em").last.inner_text()
-    rows = page.locator("#gutter .line").all_inner_texts()
+    rows = page.evaluate("[...document.querySelectorAll('#gutter .line')].map((each) => each.innerText)")
     assert [row.split() for row in rows[1:3]] == [["2", "0200", "0007"], ["3", "0201", "5377"]]
     click(page, "#run-it")
     _says(page, "Not run: line 3, undefined: NOPE")
