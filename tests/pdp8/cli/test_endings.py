@@ -28,6 +28,16 @@ def _assert_put_back(terminal: Terminal, seen: bytes) -> None:
     assert b"Traceback" not in seen
 
 
+def _assert_ended(terminal: Terminal, closed: bool) -> None:
+    """End a command by SIGTERM, or by closing its terminal; its status says which."""
+    if closed:
+        os.close(terminal.file)
+        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
+    else:
+        terminal.process.send_signal(signal.SIGTERM)
+        assert terminal.ended() == 128 + signal.SIGTERM
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, 0])
 def test_a_terminal_is_never_left_raw(name: str, number: int, tmp_path: Path) -> None:
@@ -65,12 +75,8 @@ def test_what_the_monitor_has_is_left_as_it_ends(closed: bool, tmp_path: Path) -
     terminal.type(b"do lines\r")
     terminal.until(b"AND 0000\r\npdp8> ")
     assert eventually(lambda: not terminal.restored())
-    if closed:
-        os.close(terminal.file)
-        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
-    else:
-        terminal.process.send_signal(signal.SIGTERM)
-        assert terminal.ended() == 128 + signal.SIGTERM
+    _assert_ended(terminal, closed)
+    if not closed:
         assert b"1 block of a.tu56 changed, and not saved: wrote a-changed.tu56" in terminal.seen
     assert {"a-changed.tu56", "out"} <= {path.name for path in tmp_path.iterdir()}
 
@@ -84,10 +90,6 @@ def test_it_ends_properly_while_it_takes_the_terminal_over(
         pytest.importorskip("textual", reason="Textual, the extra `panel`, is not installed")
     terminal = Terminal("pdp8", *COMMANDS[name][0], folder=tmp_path, TERM="xterm-256color", LINES="30")
     seen = terminal.until(first)
-    if closed:
-        os.close(terminal.file)
-        assert terminal.process.wait(timeout=20) == 128 + signal.SIGHUP
-    else:
-        terminal.process.send_signal(signal.SIGTERM)
-        assert terminal.ended() == 128 + signal.SIGTERM
+    _assert_ended(terminal, closed)
+    if not closed:
         _assert_put_back(terminal, seen + terminal.seen)
