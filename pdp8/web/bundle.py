@@ -186,11 +186,9 @@ def _json(data: Any) -> str:
 
 
 def _packed(text: str) -> str:
-    """Return `text` compressed (deflate) and in base64."""
+    """Return `text` compressed (deflate, in short blocks or long ones, as is shorter) and in base64."""
     data = text.encode()
-    made = (
-        zlib.compressobj(9, zlib.DEFLATED, -15, level) for level in (4, 8)
-    )  # in short blocks, in long ones
+    made = [zlib.compressobj(9, zlib.DEFLATED, -15, memory) for memory in (4, 8)]
     shortest = min((each.compress(data) + each.flush() for each in made), key=len)
     return base64.b64encode(shortest).decode("ascii")
 
