@@ -128,7 +128,7 @@ BUILT_FROM := pyproject.toml setup.py release/threaded.py $(COMPILED) $(COMPILED
 
 # What pip does to whatever it copies; the sources of an editable installation are compiled by nobody where
 # PYTHONDONTWRITEBYTECODE is set, and then at every start.
-BYTECODE = $(BIN)/python -m compileall -q -j 0 tapes pal pdp8 programs nc
+BYTECODE = $(BIN)/python -m compileall -q tapes pal pdp8 programs nc
 
 COMMA := ,
 PIP := $(BIN)/pip install -q --disable-pip-version-check

@@ -14,11 +14,14 @@ import os
 import sys
 import sysconfig
 import tarfile
+import threading
 from pathlib import Path
+from textwrap import shorten
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
+from setuptools.errors import BaseError, CCompilerError
 
 HOUSE = Path(__file__).parent
 BUILD = Path("build")
@@ -112,11 +115,27 @@ def readme() -> str:
 
 
 class SpokenBuild(build_ext):
-    """A build that says which module it compiles, each core another."""
+    """A build that says which module it compiles, each core another, and once why it compiles none."""
+
+    in_vain = threading.Lock()
+    """Taken by the first module that cannot be compiled: the others then stay Python too."""
 
     def build_extension(self, ext: Extension) -> None:
+        if self.in_vain.locked():
+            return
         print(f"compiling {ext.name}", flush=True)
-        super().build_extension(ext)
+        try:
+            super().build_extension(ext)
+        except (CCompilerError, BaseError, OSError) as error:
+            if not ext.optional:
+                raise
+            if self.in_vain.acquire(blocking=False):
+                print(
+                    f"it cannot be compiled: {shorten(str(error), 160)}\n"
+                    "Everything works without it, as Python, but slower. To have it compiled, install a C "
+                    "compiler and Python's headers (Debian: gcc, python3-dev), and begin with `make clean`.",
+                    flush=True,
+                )
 
 
 class ReproducibleSdist(sdist):
