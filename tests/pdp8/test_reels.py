@@ -120,8 +120,9 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
         do(monitor, f"restore s{number}")
         for place in (reel, discs):
             assert place.changed() == 1
+            of_file = place.file
             monitor.reels.save(place.device, f"{place.device}-{number}")
-            assert (place.changed(), monitor.reels.said(place.device)) == (0, "")
+            assert (place.changed(), monitor.reels.said(place.device), place.file) == (0, "", of_file)
     assert [*monitor.reels.rescue()] == []
     for name in ("dt0-2", "df-2"):
         device, _, _ = name.partition("-")
