@@ -17,11 +17,10 @@ from pdp8.cli.shared.rules import flag
 from pdp8.computer.machine import Machine
 from pdp8.computer.stop import Stop
 from pdp8.computer.use.trace import Listing
-from pdp8.monitor import rack
+from pdp8.monitor import simh
 from pdp8.monitor.commands import COMMANDS, do, do_file
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import next_tape
-from pdp8.monitor.simh import take_off
 from pdp8.reels import Reels
 from tapes.errors import WorkError
 
@@ -59,8 +58,7 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
     if echo and at_terminal:
         raise click.UsageError("--echo means nothing without SCRIPT.")
     with ExitStack() as leaving:
-        leaving.callback(rack.leave, made)
-        leaving.callback(take_off, made)
+        leaving.callback(simh.leave, made)
         if at_terminal:
             click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
             converse(made)
@@ -86,24 +84,24 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
     if sys.stdout.isatty():
         made.live, made.say = live, at.say
     told = terminal is not None
-    for line in _typed():
-        before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
-        try:
-            with at.printing(made.machine):
-                do(made, line)
-            if hint and not told:
-                told = True
-                made.say(_BACK)
-        except WorkError as error:
+    with ExitStack() as leaving:
+        leaving.callback(simh.take_off, made)
+        for line in _typed():
+            before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
+            try:
+                with at.printing(made.machine):
+                    do(made, line)
+                if hint and not told:
+                    told = True
+                    made.say(_BACK)
+            except WorkError as error:
+                at.end_line()
+                command.tell(str(error))
+            finally:
+                signal.signal(signal.SIGINT, before)
             at.end_line()
-            command.tell(str(error))
-        finally:
-            signal.signal(signal.SIGINT, before)
-        at.end_line()
-        if made.finished:
-            break
-    else:
-        take_off(made)
+            if made.finished:
+                break
 
 
 def sit_down(
@@ -162,9 +160,10 @@ def _typed() -> Iterator[str]:
 
     def end(number: int, _: object) -> None:
         asked.append(number)
-        loop = get_app().loop  # on a dumb terminal it is not the session's own
-        if loop is not None:
-            loop.call_soon_threadsafe(leave)
+        loop = get_app().loop  # on a dumb terminal it is not the session's own, and calls no `pre_run`
+        if loop is None:
+            sys.exit(128 + number)
+        loop.call_soon_threadsafe(leave)
 
     def leave() -> None:
         app = get_app()

@@ -78,7 +78,7 @@ def do_file(monitor: Monitor, name: str, *more: str) -> None:
     """Carry out the commands of a file; its first error ends it."""
     if monitor.depth >= _DEEPEST:
         raise MonitorError(f"{name}: more than {_DEEPEST} scripts within scripts")
-    lines = list(lines_of(shelf.read(name).decode("utf-8-sig", "replace")))
+    lines = list(lines_of(shelf.read(name).decode("utf-8-sig", "surrogateescape")))
     labels = {
         line.split()[0].upper(): number
         for number, line in enumerate(lines)

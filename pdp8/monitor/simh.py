@@ -9,6 +9,7 @@
 A device that this machine lacks is an error; disabling it does nothing.
 """
 
+import os
 import re
 from collections.abc import Sequence
 from functools import partial
@@ -84,13 +85,26 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
 
 def take_off(monitor: Monitor, kind: str = "") -> None:
     """Write what was punched into the file that was attached for it; all of them without a name."""
+    machine = monitor.machine
     for each in [name for name in monitor.punching if kind in ("", name)]:
-        if each == "lpt":
-            printer = next(device for device in monitor.machine.devices if isinstance(device, LP08))
-            monitor.say(shelf.leave(monitor.punching.pop(each), printer.paper.encode(), "text"))
-            continue
-        fast = each == "ptp" and monitor.machine.highspeed.fitted
-        (tapes.fast_punch if fast else tapes.punch)(monitor, monitor.punching.pop(each))
+        file = monitor.punching.pop(each)
+        fast = each == "ptp" and machine.highspeed.fitted
+        punch = (machine.highspeed if fast else machine.teletype).punch
+        paper = next((device.paper for device in machine.devices if isinstance(device, LP08)), "")
+        if not (paper if each == "lpt" else punch.frames) and os.path.exists(file):
+            monitor.say(f"{file} stays as it is: nothing was {'printed' if each == 'lpt' else 'punched'}")
+        elif each == "lpt":
+            monitor.say(shelf.leave(file, paper.encode(), "text"))
+        else:
+            tapes.take_off(monitor, punch, file)
+
+
+def leave(monitor: Monitor) -> None:
+    """Write what was punched and printed for attached files, and save reels and discs that were changed."""
+    try:
+        take_off(monitor)
+    finally:
+        rack.leave(monitor)
 
 
 def send(monitor: Monitor, *texts: str) -> None:

@@ -139,9 +139,14 @@ def _take_off(monitor: Monitor, device: Punch, what: str) -> None:
     if what in ("on", "off"):
         device.on = what == "on"
     else:
-        wrote = shelf.leave(what, device.tape, "tape")
-        monitor.say(f"{wrote}: {counted(len(device.tape), 'frames')}")
-        device.frames.clear()
+        take_off(monitor, device, what)
+
+
+def take_off(monitor: Monitor, device: Punch, name: str) -> None:
+    """Take the tape off a punch into a file."""
+    wrote = shelf.leave(name, device.tape, "tape")
+    monitor.say(f"{wrote}: {counted(len(device.tape), 'frames')}")
+    device.frames.clear()
 
 
 def page(monitor: Monitor, *more: str) -> None:

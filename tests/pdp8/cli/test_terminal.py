@@ -6,7 +6,7 @@ import signal
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from functools import partial
 from pathlib import Path
 from threading import Timer
@@ -153,6 +153,15 @@ def test_the_prompt_gives_each_answer_a_line_and_takes_the_tapes_off_at_the_end(
         assert (tmp_path / "out").read_bytes() == b"\xc1" * shown.count("A\n")
     assert found == shown + "0200  7300          CLA CLL\nreplaced out: 2 frames\n"
 
+    def closed() -> Iterator[str]:
+        yield from lines
+        raise SystemExit
+
+    monkeypatch.setattr(monitor, "_typed", closed)
+    with pytest.raises(SystemExit):
+        monitor.converse(Monitor(print, Machine()), Terminal())
+    assert (tmp_path / "out").read_bytes() == b"\xc1"
+
 
 def test_what_is_typed_is_kept_where_there_is_a_folder_of_states(
     keys: PipeInput, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
@@ -166,18 +175,25 @@ def test_what_is_typed_is_kept_where_there_is_a_folder_of_states(
         (tmp_path / "state").mkdir(exist_ok=True)
 
 
-def test_a_signal_ends_the_prompt_wherever_it_comes(keys: PipeInput) -> None:
-    """Also where what a handler raises is lost: in a finaliser, or in a library that catches it."""
+@pytest.mark.parametrize("term", ["xterm", "dumb"])
+def test_a_signal_ends_the_prompt_wherever_it_comes(
+    term: str, keys: PipeInput, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where what a handler raises is lost: in a finaliser, or in a library that catches it. A dumb
+    terminal's prompt is there before it listens.
+    """
 
     class Screen(DummyOutput):
         def flush(self) -> None:
-            with suppress(SystemExit):
+            with suppress(SystemExit) if term == "xterm" else nullcontext():
                 signal.raise_signal(signal.SIGTERM)
 
     def end(number: int, _: object) -> None:
         raise SystemExit(128 + number)
 
-    keys.send_text("examine 200\r")
+    monkeypatch.setenv("TERM", term)
+    if term == "xterm":
+        keys.send_text("examine 200\r")
     with leaving.taken(end, "SIGTERM"), create_app_session(keys, Screen()):
         with pytest.raises(SystemExit) as left:
             next(monitor._typed())
@@ -267,10 +283,10 @@ def test_a_silent_pipe_holds_no_key_up_and_is_whole_after_a_step_back(
 def test_of_a_machine_that_was_restored_the_whole_tape_is_written(tmp_path: Path) -> None:
     machine, restored = Machine(), Machine()
     machine.teletype.punch.frames += b"AB"
-    restored.teletype.punch.frames += b"ABC"
+    restored.teletype.punch.frames += b"ABCE"
     output = Output(machine, str(tmp_path / "p"))
     machine.teletype.punch.frames += b"D"
-    for each, tape in ((machine, b"D"), (restored, b"ABC")):
+    for each, tape in ((machine, b"D"), (restored, b"ABCE"), (machine, b"ABD")):
         output.settle(each)
         assert (tmp_path / "p").read_bytes() == tape
     output.close()

@@ -1,6 +1,8 @@
 """SIMH's words: every line of the table in docs/simh.md, and what it says stands for it."""
 
+import os
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -100,10 +102,12 @@ def test_a_throttle_is_set_and_taken_off_again() -> None:
 
 
 def test_a_script_asks_for_files_and_ends_with_quit() -> None:
-    """By names in quotes too; after it nothing is carried out, nor in the script that called it."""
+    """By names in quotes too, of any bytes; after it nothing is done, nor in the script that called it."""
     said: list[str] = []
-    Path("a file").write_text("")
-    Path("inner").write_text('if exist "a file" echo 1\nif not exist "a file" echo no\nquit\necho no\n')
+    name = os.fsdecode(b"a f\xefle") if sys.platform == "linux" else "a file"
+    Path(name).write_text("")
+    inner = f'if exist "{name}" echo 1\nif not exist "{name}" echo no\nquit\necho no\n'
+    Path("inner").write_bytes(os.fsencode(inner))
     outer = 'if exist "none" echo no\nif not exist "none" echo 0\nif exist inner do inner\necho no\n'
     Path("outer").write_text(outer)
     monitor = Monitor(said.append)
@@ -165,4 +169,11 @@ def test_each_punch_is_written_to_the_file_that_was_attached_for_it() -> None:
     )
     do(monitor, "attach ptp faster", "deposit 201 1211 6026 7402", "go 200", "wait 1")
     do(monitor, "detach tto", "detach ptp")
-    assert [Path(name).read_bytes() for name in ("slow", "fast", "faster")] == [b"\xc1", b"\xc1", b"\xc2"]
+    do(monitor, "attach tto slow", "attach ptp new", "attach lpt faster", "quit")
+    assert said[-3:] == [
+        "slow stays as it is: nothing was punched",
+        "wrote new: no frames",
+        "faster stays as it is: nothing was printed",
+    ]
+    names = ("slow", "fast", "faster", "new")
+    assert [Path(name).read_bytes() for name in names] == [b"\xc1", b"\xc1", b"\xc2", b""]
