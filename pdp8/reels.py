@@ -68,7 +68,7 @@ class Reel:
     def save(self, name: str) -> str:
         """Save the reel as it is now; return what to say of it. Raises WorkError."""
         reel = self.drive.written() or dectape.blank()
-        said = shelf.told(name, shelf.write(name, reel.content()))
+        said = shelf.leave(name, reel.content(), "image")
         self._files[reel] = self.file
         self.drive.image, self.drive.blocks = reel, {}
         return said
@@ -126,7 +126,7 @@ class Discs:
 
     def save(self, name: str) -> str:
         """Save the discs as they are now; return what to say of it. Raises WorkError."""
-        said = shelf.told(name, shelf.write(name, self.control.content))
+        said = shelf.leave(name, self.control.content, "image")
         self._kept = self.control.content
         return said
 

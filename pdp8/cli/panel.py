@@ -26,7 +26,7 @@ from tapes.errors import WorkError
 @option(
     "--memory",
     "Words of core; 8k comes with the memory extension MC8/L and its switches.",
-    click.Choice(["4k", "8k"]),
+    click.Choice(["4k", "8k"], case_sensitive=False),
     default="4k",
 )
 def panel(

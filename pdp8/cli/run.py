@@ -18,7 +18,15 @@ from pdp8.cli.running.feed import Feed, say_unread
 from pdp8.cli.running.outputs import Output, send
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Source, Target
-from pdp8.cli.shared.parameters import address, check_start, device_option, dialect_option, octal, seconds
+from pdp8.cli.shared.parameters import (
+    address,
+    check_start,
+    device_option,
+    dialect_option,
+    drive,
+    octal,
+    seconds,
+)
 from pdp8.cli.shared.rules import declared, field, flag, is_given, of
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.extension import MEMORY
@@ -67,23 +75,26 @@ class Options:
     memory: str = field(
         "--memory",
         "Words of core; no PDP-8/L had 32k.",
-        click.Choice(list(MEMORY)),
+        click.Choice(list(MEMORY), case_sensitive=False),
         default="4k",
         excludes="--restore",
         show_default=False,
     )
-    dectape: tuple[str, ...] = field(
+    dectape: tuple[tuple[str, str], ...] = field(
         "--dectape",
         "Mount a DECtape image on drive N, 0 to 7. Without PROGRAM drive 0 is booted, or the disk.",
+        drive,
         multiple=True,
         metavar="N=FILE",
     )
-    save_dectape: tuple[str, ...] = field(
+    save_dectape: tuple[tuple[str, str], ...] = field(
         "--save-dectape",
         "Save the reel of drive N as the run ends; the image that was mounted stays.",
+        drive,
         multiple=True,
         metavar="N=FILE",
         needs="--dectape",
+        writes=True,
     )
     disk: str | None = field(
         "--disk",
@@ -92,7 +103,7 @@ class Options:
         excludes="--restore",
     )
     save_disk: str | None = field(
-        "--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk"
+        "--save-disk", "Save the disk as the run ends.", metavar="df32=FILE", needs="--disk", writes=True
     )
     printer: str | None = field("--printer", "Fit the line printer LP08; its text goes here.", Target("text"))
     keyboard: bool = of(
@@ -524,19 +535,16 @@ def _check_options(
     for device, name in reels_out.items():
         if device not in reels_in:
             raise click.UsageError(f"{device[2:]}={name}: no tape is mounted on drive {device[2:]}.")
+        Target("image").check(name)
 
 
-def _by_device(reels: Sequence[str], disk: str | None) -> dict[str, str]:
-    """Return the files of N=FILE and df32=FILE, by the devices that they go on."""
+def _by_device(reels: Sequence[tuple[str, str]], disk: str | None) -> dict[str, str]:
+    """Return the files of drives and of df32=FILE, by the devices that they go on."""
     found: dict[str, str] = {}
-    if reels:
-        from pdp8.reels import assignment
-
-        for each in reels:
-            device, name = assignment(each)
-            if device in found:
-                raise click.UsageError(f"{each}: drive {device[2:]} has {found[device]}.")
-            found[device] = name
+    for device, name in reels:
+        if device in found:
+            raise click.UsageError(f"{device[2:]}={name}: drive {device[2:]} has {found[device]}.")
+        found[device] = name
     if disk is not None:
         kind, _, file = disk.partition("=")
         if kind != "df32" or not file:

@@ -94,7 +94,8 @@ def test_a_file_that_is_there_but_cannot_be_read_is_named_once() -> None:
 
 def test_what_was_written_is_not_lost_where_it_cannot_be_saved(monitor: Monitor) -> None:
     before = Path("reel.tu56").read_bytes()
-    for line in ("detach dt0 /dev/full", "detach dt0 reel.tu56", "detach dt0"):
+    Path("mine.pal").write_text("a source")
+    for line in ("detach dt0 /dev/full", "detach dt0 reel.tu56", "detach dt0 mine.pal", "detach dt0"):
         with pytest.raises(WorkError):
             do(monitor, line)
         assert monitor.reels.places["dt0"].changed() == 1

@@ -142,7 +142,7 @@ class Command(click.Command):
         written = {param.name: param for param in self.params if _writes(param)}
         values = {name: ctx.params[name or ""] for name in written}
         writes_unasked = "output" in values and values["output"] is None  # beside the source, as pal does
-        if not writes_unasked and all(value in (None, "-", False) for value in values.values()):
+        if not writes_unasked and all(value in (None, "-", False, ()) for value in values.values()):
             asked = " or ".join(rules.words(param)[0] for param in written.values())
             raise click.UsageError(f"--no-clobber means nothing without {asked}.")
 

@@ -6,8 +6,10 @@ from typing import Any, TypeVar
 import click
 
 from pdp8.cli.shared.rules import option
+from tapes.errors import WorkError
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
+_Value = TypeVar("_Value")
 
 
 def dialect_option(needs: str = "") -> Callable[[_Function], _Function]:
@@ -18,9 +20,32 @@ def dialect_option(needs: str = "") -> Callable[[_Function], _Function]:
     return option("--dialect", "Dialect of PAL source.", kind, default=FOUND, show_default=False, needs=needs)
 
 
+def drive(text: str) -> tuple[str, str]:
+    """Return the device of a drive and the file, of N=FILE. Raises click.BadParameter."""
+    from pdp8.reels import assignment
+
+    return _read(assignment, text)
+
+
+def _device(text: str) -> str:
+    """Return what names a device. Raises click.BadParameter."""
+    from pdp8.fitting import file_of
+
+    _read(file_of, text)
+    return text
+
+
+def _read(read: Callable[[str], _Value], text: str) -> _Value:
+    try:
+        return read(text)
+    except WorkError as error:
+        raise click.BadParameter(str(error)) from None
+
+
 device_option = option(
     "--device",
     "Fit a device, such as highspeed or kw8, or a class in a Python file of your own.",
+    _device,
     multiple=True,
     metavar="NAME|FILE:CLASS",
 )
