@@ -4,6 +4,7 @@ The keyboard is the name's: ENTER takes what is on its line, whether it was type
 arrows that go up and down the list. ESC and Ctrl-C leave without an answer.
 """
 
+import os
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -18,6 +19,8 @@ from tapes.errors import WorkError
 from tapes.measure import length
 from tapes.quantities import counted
 
+_NAMES = ("punched.tape", *(f"punched-{number}.tape" for number in range(2, 1000)), "tape")
+"""What a tape that is torn off may be called."""
 _LEAVE = Binding("escape,ctrl+c", "dismiss(None)", "back", priority=True)
 
 
@@ -110,7 +113,7 @@ class NameTape(ModalScreen[str | None]):
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog"):
             yield Label("Tear the tape off the punch and write it to which file? ESC: leave it")
-            yield Input(value="punched.tape")
+            yield Input(value=next(name for name in _NAMES if not os.path.exists(name)))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Take the name."""

@@ -1,6 +1,7 @@
 """The panel in a terminal: keys and mouse do what they say, and the room looks as it should."""
 
 from collections.abc import Callable
+from contextlib import chdir
 from functools import partial
 from inspect import isawaitable
 from itertools import product
@@ -221,6 +222,11 @@ async def test_tearing_off_and_reading_again(room: Room, pilot: Pilot[None]) -> 
             if stays:
                 await press(pilot, "w")
         assert (own.read_text(), mine.read_bytes()) == ("*200\n", punched)
+        with chdir(folder):
+            for number, name in enumerate(("punched.tape", "punched-2.tape")):
+                room.session.machine.teletype.punch.frames.append(number)
+                await press(pilot, "w enter")
+                assert Path(name).read_bytes() == bytes([number])
     assert room.session.tapes[-1].frames == punched
 
 
