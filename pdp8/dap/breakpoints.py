@@ -130,6 +130,12 @@ class Point:
         return self._condition is None or bool(self._condition())
 
 
+def reached(machine: Machine) -> set[int]:
+    """Return where a run comes to a breakpoint: at the next instruction and a JMS target just come to."""
+    p = machine.processor
+    return {machine.pc, machine.ma} if p.state == EXECUTE and p.ir == JMS else {machine.pc}
+
+
 def _reached(wanted: str, hits: int) -> bool:
     found = _HITS.fullmatch(wanted)
     assert found is not None, "it was placed"
@@ -193,8 +199,7 @@ class Breakpoints:
 
     def hit(self, machine: Machine) -> list[Point]:
         """Return the breakpoints at a machine's next address, whatever their conditions."""
-        p, watch = machine.processor, machine.watch
-        places = {machine.pc, machine.ma} if p.state == EXECUTE and p.ir == JMS else {machine.pc}
+        places, watch = reached(machine), machine.watch
         return [
             point
             for point in self

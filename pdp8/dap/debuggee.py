@@ -15,7 +15,7 @@ from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import ended
 from pdp8.computer.watch import Watch
 from pdp8.dap import motion
-from pdp8.dap.breakpoints import DATA, Breakpoints, Point
+from pdp8.dap.breakpoints import DATA, Breakpoints, Point, reached
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
 from pdp8.monitor.arguments import LONGEST
@@ -52,6 +52,10 @@ class Debuggee:
         self._shown = 0
         self._punched = b""
         self._goal: motion.Goal | None = None
+        self._put: tuple[set[int], set[int]] = set(), set()
+        """Where the editor lets a run stop, and after which words are written."""
+        self._own = self._put
+        """Where `break` and `watch` of the monitor do."""
         self._slices: Iterator[Stop] | None = None
 
     @property
@@ -76,15 +80,23 @@ class Debuggee:
 
     def go_on(self) -> None:
         """Continue the run after a request that may have changed something."""
-        machine = self.monitor.machine
-        points = Breakpoints() if self.launch.noDebug else self.breakpoints
-        goal = self._goal.places(machine) if self._goal else set()
-        points.put_into(machine.watch)
-        machine.watch.breakpoints |= goal
+        self.put_points()
         self._slices = slices(self.monitor, LONGEST)
 
+    def put_points(self) -> None:
+        """Let a run stop where the editor says, and where the monitor's commands did."""
+        machine, watch = self.monitor.machine, self.monitor.machine.watch
+        self._own = watch.breakpoints - self._put[0], watch.writes - self._put[1]
+        points = Breakpoints() if self.launch.noDebug else self.breakpoints
+        goal = self._goal.places(machine) if self._goal else set()
+        points.put_into(watch)
+        watch.breakpoints |= goal
+        self._put = set(watch.breakpoints), set(watch.writes)
+        watch.breakpoints |= self._own[0]
+        watch.writes |= self._own[1]
+
     def pause(self) -> None:
-        self._slices = None
+        self._slices = self._goal = None
 
     def advance(self) -> Halt | None:
         """Run a slice; return why the machine stopped, if it did."""
@@ -93,10 +105,13 @@ class Debuggee:
         return None if stop.reason is Reason.LIMIT else self._halted(stop)
 
     def over(self) -> Halt | None:
-        """Do one instruction; if that is a call the machine runs to its return."""
+        """Do one instruction; if that is a call the machine runs to its return, or to a breakpoint."""
+        self.put_points()
         stop, goal = motion.over(self.monitor.machine)
         if stop.reason in _STANDS or goal is None:
             return self._stepped(stop)
+        if halt := self._at_a_breakpoint():
+            return halt
         if goal.reached(self.monitor.machine) and not goal.interrupt:
             return Halt("step")
         self.run(goal)
@@ -146,13 +161,8 @@ class Debuggee:
         self._slices = None
         machine = self.monitor.machine
         if stop.reason is Reason.BREAKPOINT:
-            points = [
-                point
-                for point in self.breakpoints.hit(machine)
-                if point.stops(machine.instructions, self.said)
-            ]
-            if points and not self.launch.noDebug:
-                return _at(points)
+            if halt := self._at_a_breakpoint():
+                return halt
             if self._goal is not None and self._goal.reached(machine):
                 return self.over() if self._goal.interrupt else Halt("step")
             self.go_on()
@@ -163,6 +173,18 @@ class Debuggee:
         if stop.reason in _WAITS and not (self.launch.noDebug and stop.reason is Reason.TAPE_OUT):
             return Halt("", description)
         return Halt("exception" if stop.reason is Reason.PROTECT else str(stop.reason), description)
+
+    def _at_a_breakpoint(self) -> Halt | None:
+        """Return the stop where a run has come to a breakpoint that stops it."""
+        machine = self.monitor.machine
+        if self.launch.noDebug:
+            return None
+        points = self.breakpoints.hit(machine)
+        if found := [point for point in points if point.stops(machine.instructions, self.said)]:
+            return _at(found)
+        if self._own[0] & reached(machine) or self._own[1] & machine.watch.written:
+            return Halt("breakpoint", "stopped by break or watch of the console")
+        return None
 
     def sources_changed(self) -> None:
         """Say which sources were written since the program was loaded: lines may not fit any more."""

@@ -73,10 +73,11 @@ class Launch:
 
     def ready(self, say: Callable[[str], object]) -> tuple[Monitor, Program]:
         """Return a machine loaded and started, and its program; `say` takes messages. Raises WorkError."""
-        if self.memory not in MEMORY:
+        memory = MEMORY.get(self.memory.lower())
+        if memory is None:
             raise WorkError(f"memory: {self.memory}; {', '.join(MEMORY)} are allowed")
-        found = shelf.programs(self.program, MEMORY[self.memory])
-        machine = Machine(memory=MEMORY[self.memory])
+        found = shelf.programs(self.program, memory)
+        machine = Machine(memory=memory)
         fitting.fit(machine, fitting.devices(["highspeed", *self.device] if self.highspeed else self.device))
         monitor = Monitor(say, machine, found.listing)
         for device, name in map(reels.assignment, self.dectape):

@@ -128,6 +128,7 @@ def evaluate(debuggee: Debuggee, arguments: Body) -> Body:
         except MonitorError:
             if not at_console:
                 raise
+    debuggee.put_points()
     do(debuggee.monitor, line)
     said = "\n".join(debuggee.said)
     debuggee.said.clear()

@@ -7,6 +7,7 @@ One machine is one thread. While it runs, requests are answered between two slic
 """
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from time import monotonic
 from traceback import format_exc
 from typing import BinaryIO
@@ -17,7 +18,7 @@ from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.requests import checked
 from pdp8.dap.wire import Body, MessageError, Wire
-from pdp8.monitor import rack
+from pdp8.monitor import simh
 from tapes.errors import WorkError
 
 _THREAD = 1
@@ -100,7 +101,7 @@ class Session:
             try:
                 self._room.take_off()
             finally:
-                rack.leave(self._room.monitor)
+                simh.leave(self._room.monitor)
 
     def _receive(self) -> None:
         """Answer the next message; one that is not an object is said and passed over."""
@@ -186,10 +187,10 @@ class Session:
         self._room, self._finished = made, False
 
     def _leave(self) -> None:
-        """Save what the machine leaves, if there is one: the tape in its punch, and its reels."""
+        """Save what the machine leaves, if there is one: the tapes in its punches, and its reels."""
         if self._room is not None:
-            self._take_off(self._room)
-            rack.leave(self._room.monitor)
+            self._save(self._room.take_off)
+            self._save(partial(simh.leave, self._room.monitor))
             self._tell(self._room)
 
     def _launch(self, arguments: Body) -> None:
@@ -288,7 +289,7 @@ class Session:
         debuggee = self._loaded
         self._runs = False
         debuggee.pause()
-        self._take_off(debuggee)
+        self._save(debuggee.take_off)
         debuggee.sources_changed()
         self._tell(debuggee)
         self._put_out("console", halt.description and f"{halt.description}\n")
@@ -309,8 +310,8 @@ class Session:
         if text:
             self._wire.event("output", category=category, output=text)
 
-    def _take_off(self, debuggee: Debuggee) -> None:
+    def _save(self, leave: Callable[[], object]) -> None:
         try:
-            debuggee.take_off()
+            leave()
         except WorkError as error:
             self._put_out("stderr", f"{error}\n")

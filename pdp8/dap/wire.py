@@ -22,8 +22,8 @@ class MessageError(WorkError):
     """A message, read to its end, that is not a JSON object."""
 
 
-_LONGEST = 1 << 24
-"""Bytes of a message."""
+_HEAD, _LONGEST = 1 << 12, 1 << 24
+"""Bytes of a message's head, and of a message."""
 
 
 class Wire:
@@ -89,17 +89,20 @@ class Wire:
 
 def read(stream: BinaryIO) -> Body | None:
     """Return the next message of a stream, None at its end. Raises as `Wire.receive` does."""
-    length = None
-    line = stream.readline(_LONGEST)
+    length, left = None, _HEAD
+    line = stream.readline(left)
     if not line:
         return None
     while line not in (b"\r\n", b"\n"):
         name, _, value = line.partition(b":")
         if name.strip().lower() == b"content-length" and value.strip().isdigit():
             length = int(value)
-        line = stream.readline(_LONGEST)
+        left -= len(line)
+        line = stream.readline(left)
         if not line:
-            raise WorkError("the input ends within the head of a message")
+            raise WorkError(
+                f"the input ends within the head of a message, or it is longer than {_HEAD:,} bytes"
+            )
     if length is None or length > _LONGEST:
         raise WorkError(f"the head of a message has no Content-Length of at most {_LONGEST:,} bytes")
     content = stream.read(length)

@@ -263,14 +263,16 @@ def test_a_program_may_have_words_in_all_of_core(tmp_path: Path) -> None:
 def test_what_a_machine_leaves_is_saved_however_it_ends(
     end: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The tape in its punch, and a reel that was written and not saved, even where the tape cannot be."""
+    """The tapes in its punches, and a reel that was written and not saved, even where a tape cannot be."""
     monkeypatch.chdir(tmp_path)
     reel.file(tmp_path / "reel.tu56")
-    given = {"program": "hello.pal", "punch": "out", "dectape": ["0=reel.tu56"]}
+    given = {"program": "hello.pal", "punch": "out", "dectape": ["0=reel.tu56"], "highspeed": True}
+    given["commands"] = ["attach ptp fast"]
     session = Session(BytesIO(), BytesIO())
     session._requests["launch"](given)
     monitor = session._loaded.monitor
     monitor.machine.teletype.punch.frames += b"X"
+    monitor.machine.highspeed.punch.frames += b"Y"
     place: Any = monitor.reels.places["dt0"]
     place.drive.write(5, 7, 1)
     session._requests[end or "disconnect"](given if end == "launch" else {})
@@ -281,6 +283,7 @@ def test_what_a_machine_leaves_is_saved_however_it_ends(
     with nullcontext() if end else pytest.raises(WorkError):
         session.serve()
     assert not end or Path("out").read_bytes() == b"X"
+    assert Path("fast").read_bytes() == b"Y"
     assert [each.name for each in tmp_path.glob("*changed*")] == ["reel-changed.tu56"]
 
 
@@ -436,6 +439,9 @@ HEAD = b"Content-Length: 2\r\n\r\n"
         (HEAD + b"{x", "is not JSON"),
         (b"Content-Length: 16777216\r\n\r\n{}", "ends after 2 of the 16,777,216 bytes"),
         (b"Content-Length: 16777217\r\n\r\n{}", "of at most 16,777,216 bytes"),
+        (bytes(4096 - len(HEAD) - 2) + b"\r\n" + HEAD + b"{}", {}),
+        (bytes(4096 - len(HEAD) - 1) + b"\r\n" + HEAD + b"{}", "longer than 4,096 bytes"),
+        (bytes(10_000), "longer than 4,096 bytes"),
     ],
 )
 def test_a_message_has_a_length(sent: bytes, found: Any) -> None:

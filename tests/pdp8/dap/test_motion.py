@@ -14,7 +14,7 @@ from pal.isa import JMP
 from pdp8 import shelf
 from pdp8.computer.hardware.signals import INTERRUPT
 from pdp8.computer.machine import Machine
-from pdp8.dap import calls, motion
+from pdp8.dap import calls, motion, scopes
 from pdp8.dap.breakpoints import ADDRESSES, DATA, Breakpoints
 from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
@@ -241,6 +241,39 @@ def test_a_step_over_ends_at_a_breakpoint_unless_there_is_no_debugging(
     while halt is None:
         halt = debuggee.advance()
     assert (halt.reason, debuggee.monitor.machine.pc) == (kind, field | 0o201)
+
+
+def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_path: Path) -> None:
+    """Beside the editor's breakpoints, which it names too; a step over ends there."""
+    debuggee = began("*200\nL,JMS S\nISZ N\nJMP L\nS,0\nJMP I S\nN,0\n$\n", tmp_path)
+    monitor = debuggee.monitor
+
+    def stops(*steps: str) -> list[str]:
+        found = []
+        for step in steps:
+            halt = debuggee.over() if step == "over" else debuggee.run()
+            while halt is None:
+                halt = debuggee.advance()
+            debuggee.pause()
+            found.append(f"{halt.reason} {monitor.machine.pc:o}")
+        return found
+
+    def console(line: str) -> str:
+        return str(scopes.evaluate(debuggee, {"expression": line, "context": "repl"})["result"])
+
+    debuggee.breakpoints.put(monitor, debuggee.places, ADDRESSES, "", [("L", {"name": "L"})])
+    console("break S")
+    console("watch N")
+    ran = stops("over", "run", "run", "run", "over")
+    assert ran == [
+        *("breakpoint 204", "breakpoint 202", "function breakpoint 200", "breakpoint 204", "step 201")
+    ]
+    assert (console("break"), console("watch")) == ("0200 0203", "0205")
+    console("forget")
+    assert stops("over", "run") == ["step 202", "function breakpoint 200"]
+    assert console("break") == "0200"
+    debuggee.breakpoints.put(monitor, debuggee.places, ADDRESSES, "", [("S", {"name": "S"})])
+    assert stops("over") == ["function breakpoint 204"]
 
 
 def test_a_machine_that_is_stopped_says_at_what(tmp_path: Path) -> None:
