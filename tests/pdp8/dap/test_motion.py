@@ -251,7 +251,8 @@ def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_pat
     def stops(*steps: str) -> list[str]:
         found = []
         for step in steps:
-            halt = debuggee.over() if step == "over" else debuggee.run()
+            debuggee.run()
+            halt = debuggee.over() if step == "over" else None
             while halt is None:
                 halt = debuggee.advance()
             debuggee.pause()
