@@ -2,12 +2,13 @@
 
 00000000: 0000 0b80 4520 2001   ....E  .      xxd: what is beside the numbers is not read
 0000000 200 200 102 000                       od: a longer first number in each line is its address
-0000000 100200 000102                         od, hexdump: words of two frames, the second before the first
+0000000 100200 000102                         od, hexdump: words of two frames or more, the last one first
 *                                             as the line above, up to the next address
 10001101 00000001      0x8d, 0x01             binary; hexadecimal with its mark
 |oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it
 """
 
+from itertools import pairwise
 from typing import NamedTuple
 
 from tapes import spelled
@@ -17,27 +18,28 @@ from tapes.text import in_ascii, lines_of
 _FEWEST = 8
 _FARTHEST = 1 << 24
 """Frames from the first address to another, which * may fill."""
+_GAP = "; its addresses do not follow one another: is a line missing?"
+_STARRED = "; * stands for lines that it lacks: od -v writes them"
 _DRAWN = 9  # columns: eight channels and the sprocket hole
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
 class Dump(NamedTuple):
-    """The frames that a text spells, in which notation, whether its addresses show a gap, and in which base
-    they were taken, 0 if that is sure.
+    """The frames that a text spells, in which notation, how it shows a gap, if it does, and in which base its
+    addresses were taken, 0 if that is sure.
     """
 
     notation: str
     frames: bytes
-    gap: bool = False
+    gap: str = ""
     base: int = 0
 
     @property
     def note(self) -> str:
         """What there is to say of such a file."""
-        gap = "; its addresses do not follow one another: is a line missing?" if self.gap else ""
         taken = f"; its addresses are taken in base {self.base}" if self.base else ""
-        return f"a dump in {self.notation}, read as {len(self.frames):,} frames{gap}{taken}"
+        return f"a dump in {self.notation}, read as {len(self.frames):,} frames{self.gap}{taken}"
 
 
 class _Row(NamedTuple):
@@ -71,9 +73,10 @@ def found(content: bytes) -> Dump | None:
     placed = _placed(rows, pieces, fit[0]) if fit else b""
     unsure = any(_placed(rows, pieces, base) != placed for base in fit)
     frames = placed or b"".join(pieces)
-    letters = any(number.strip("0123456789") for number in numbers)
-    many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and letters)
-    gap = not placed and any(row.address for row in rows)
+    sure = any(number.strip("0123456789") for number in numbers) or (placed != b"" and len(rows) > 1)
+    many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and sure)
+    addresses = "".join([row.address for row in rows])
+    gap = "" if placed or not addresses else _GAP if addresses.strip("*") else _STARRED
     return Dump(notation.partition(" ")[0], frames, gap, fit[0] if unsure else 0) if many else None
 
 
@@ -124,13 +127,19 @@ def _unmarked(number: str) -> str:
 
 
 def _addressed(rows: list[_Row]) -> list[_Row]:
-    """Return the lines by their addresses, if each begins with one: six digits or more, none as long."""
-    with_numbers = [row for row in rows if row.numbers]
-    others = [len(number) for row in with_numbers for number in row.numbers[1:]]
-    least = max(6, max(others) + 1) if others else 99
-    if not all(is_number(row.numbers[0], 16, least, 16) for row in with_numbers):
+    """Return the lines by their addresses, if each begins with one: six digits or more, none as long, or each
+    a little greater than the one before.
+    """
+    with_numbers = [row.numbers for row in rows if row.numbers]
+    others = [len(number) for numbers in with_numbers for number in numbers[1:]]
+    if not others or not all(is_number(numbers[0], 16, 6, 16) for numbers in with_numbers):
         return rows
-    return [_Row(row.numbers[0], row.numbers[1:]) if row.numbers else row for row in rows]
+    firsts = [int(numbers[0], base=16) for numbers in with_numbers]
+    steps = [after - at for at, after in pairwise(firsts)]
+    rise = len(steps) > 0 and all(0 < step < _FARTHEST >> 8 for step in steps)
+    if rise or min(len(numbers[0]) for numbers in with_numbers) > max(others):
+        return [_Row(row.numbers[0], row.numbers[1:]) if row.numbers else row for row in rows]
+    return rows
 
 
 def _notation(numbers: list[str], words: bool) -> str:
@@ -141,11 +150,12 @@ def _notation(numbers: list[str], words: bool) -> str:
         return "binary"
     if all(is_number(number, 8, 3, 3) and number[0] < "4" for number in numbers):
         return "octal"
-    if words and all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
+    if all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
         return "octal words"
     if not all(is_number(number, 16, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
         return ""
-    return "hexadecimal words" if words and all(len(number) == 4 for number in numbers) else "hexadecimal"
+    longest, shortest = max(map(len, numbers)), min(map(len, numbers))
+    return "hexadecimal words" if words and longest == shortest and longest in (4, 8, 16) else "hexadecimal"
 
 
 def _frames(number: str, notation: str) -> bytes:
@@ -168,6 +178,7 @@ def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
     last = b""
     repeats = False
     first = -1
+    word = 0
     for row, piece in zip(rows, pieces, strict=True):
         if row.address == "*":
             repeats = True
@@ -182,9 +193,10 @@ def _placed(rows: list[_Row], pieces: list[bytes], base: int) -> bytes:
         if repeats and last and len(placed) < at:
             placed += last * -((len(placed) - at) // len(last))
         if not row.numbers:
-            return placed[:at] if at in (len(placed), len(placed) - 1) else b""
+            return placed[:at] if 0 <= len(placed) - at < word else b""
         if at != len(placed):
             return b""
+        word = max(2, len(piece) // len(row.numbers))  # of which but one frame may be there
         repeats = False
         last = piece
         placed += piece
