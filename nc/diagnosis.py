@@ -4,18 +4,27 @@ frame 821: block 42: 6 blank frames, where zeros are punched: a splice; `pdp8 ta
 """
 
 from nc.blocks import BlockError
-from tapes import codes, controls, doubts, redundancy, title
+from tapes import codes, controls, doubts, redundancy
 from tapes.ascii import ends_blocks
 from tapes.code import Code
-from tapes.eia import DELETE, EOB
-from tapes.frames import skip
-from tapes.hydrapoint import ROWS
+from tapes.eia import CHARACTERS, DELETE, EOB
+from tapes.frames import BLANK, skip
+from tapes.hydrapoint import DIGITS, ROWS
+from tapes.quantities import counted
 
 _SHOWN = 5
 
 
-def notes(frames: bytes) -> tuple[str, ...]:
-    """Return what is doubtful on an EIA tape and passes the reader unnoticed, as it does not check parity."""
+def notes(frames: bytes, strict: bool) -> tuple[str, ...]:
+    """Return what is doubtful on an EIA tape and passes the reader unnoticed, as it does not check parity; of
+    one that is read as later controls did, a block that they pass over.
+    """
+    if strict:
+        rows = frames[: frames.find(EOB)].translate(None, bytes([BLANK, DELETE]))
+        passed = len(rows) == DIGITS and all(CHARACTERS.get(row, "").isdecimal() for row in rows)
+        return (
+            "the block before the first end of block is not read: later controls begin after that",
+        ) * passed
     found = doubts.find(frames, codes.EIA) if codes.recognise(frames) is codes.EIA else []
     uneven = dict(codes.EIA.uneven(frames))
     found = [doubt for doubt in found if doubt.seen and doubt.frame not in uneven]
@@ -37,7 +46,7 @@ def explain(frames: bytes, error: BlockError) -> str:
         return _in_another_code(frames, code, error)
     labels = code.labels(frames)
     if labels and (error.frame or 0) < labels[-1].stop + ROWS:
-        return title.left_out(labels[-1], "program")
+        return codes.EIA.titled(frames, "program")
     return _in_block(frames, error)
 
 
@@ -58,7 +67,7 @@ def _in_block(frames: bytes, error: BlockError) -> str:
     block = range(start, start + ROWS)
     for gap in codes.EIA.gaps(frames):
         if gap.start in block:
-            said = f"{len(gap)} blank frames, where zeros are punched: a splice"
+            said = f"{counted(len(gap), 'blank frames')}, where zeros are punched: a splice"
             return _left_out(gap, error.block, said)
     at = error.frame or 0
     if (stop := skip(frames, at, DELETE)) > at:
@@ -69,5 +78,5 @@ def _in_block(frames: bytes, error: BlockError) -> str:
 
 
 def _left_out(run: range, block: int, said: str) -> str:
-    place = f"{run.start}-{run.stop - 1}" if len(run) > 1 else f"{run.start}"
-    return f"frame {run.start}: block {block}: {said}; `pdp8 tape cut --without {place}` leaves them out"
+    place, what = (f"{run.start}-{run.stop - 1}", "them") if len(run) > 1 else (f"{run.start}", "it")
+    return f"frame {run.start}: block {block}: {said}; `pdp8 tape cut --without {place}` leaves {what} out"

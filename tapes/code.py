@@ -146,6 +146,13 @@ class Characters(Code):
             end = frames.find(LABEL_GAP, start, _LONGEST_TITLE)
         return (title,) if title else ()
 
+    def titled(self, frames: bytes, what: str) -> str:
+        """Say that a title comes before the `what` of a tape, and how to leave it out; "" if none does."""
+        for label in self.labels(frames):
+            cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
+            return f"frame {label.start}: a title of {len(label)} frames before the {what}; {cure}"
+        return ""
+
     def lines(self, frames: bytes) -> list[tuple[int, str]]:
         """Return the first frame of each line or block, and its characters in ASCII without fill."""
         return []

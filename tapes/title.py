@@ -36,12 +36,6 @@ def punch(text: str) -> bytes:
     return bytes(frames) + bytes(GAP)
 
 
-def left_out(label: range, what: str) -> str:
-    """Say that a title comes before the `what` of a tape, and how to leave it out."""
-    cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
-    return f"frame {label.start}: a title of {len(label)} frames before the {what}; {cure}"
-
-
 def read(frames: bytes) -> str:
     """Return the title in letters of `punch`, "" for other letters."""
     words = []

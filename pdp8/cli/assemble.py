@@ -211,7 +211,7 @@ def _read(name: str) -> bytes:
 
 def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> None:
     """Raise AssemblyError for a tape of data, or for another kind of tape that does not assemble."""
-    from tapes import ascii, codes, title
+    from tapes import ascii, codes
     from tapes.loaders import Words
 
     for name, content in zip(names, contents, strict=True):
@@ -221,8 +221,8 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> Non
         if not ok and (isinstance(code, Words) or code is codes.EIA):
             cure = "; `pdp8 dis` makes a source of it" * isinstance(code, Words)
             raise AssemblyError(f"{called(name)}: a tape in {code.name.upper()}, not PAL source{cure}")
-        if not ok and code is codes.ASCII and (labels := code.labels(content)):
-            raise AssemblyError(f"{called(name)}: {title.left_out(labels[-1], 'source')}")
+        if not ok and code is codes.ASCII and (titled := codes.ASCII.titled(content, "source")):
+            raise AssemblyError(f"{called(name)}: {titled}")
 
 
 def _counted(errors: int) -> str:

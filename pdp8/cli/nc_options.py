@@ -394,7 +394,7 @@ def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", 
     from nc import diagnosis, machine
 
     frames = shelf.read(tape.name)
-    command.say_of(tape.name, () if tape.strict else diagnosis.notes(frames))
+    command.say_of(tape.name, diagnosis.notes(frames, tape.strict))
     with naming(tape.name):
         try:
             return machine.cut(frames, strict=tape.strict, settings=settings or machine.Settings()), None

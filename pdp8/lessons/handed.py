@@ -11,12 +11,14 @@ from pdp8.computer.use import program
 from pdp8.lessons.answer import Answer
 from tapes import codes
 from tapes.errors import WorkError, called
+from tapes.frames import FILL
 from tapes.loaders import Words
 from tapes.text import is_utf16, lines_of, without_mark
 
 LARGEST = 16 * 1024
 LONGEST = 200
 """Characters of a line."""
+_PLAIN = bytes(range(0o200))
 _ANSWER = re.compile(rb"\W*\w\W*?[:=)]")
 
 
@@ -56,11 +58,25 @@ def of(content: bytes, name: str) -> Answer:
             return Answer(name, fault=str(error))
     except UnicodeDecodeError:
         return Answer(name, fault="neither text, such as PAL source, nor a BIN or RIM tape")
+    if code is codes.ASCII and _has_parity(content):
+        if titled := codes.ASCII.titled(content, "source"):
+            return Answer(name, fault=titled)
+        content = codes.ASCII.decode(content).encode()
     source = content.decode(errors="replace").replace("\r\n", "\n")
     for number, line in enumerate(lines_of(source), 1):
         if len(line) > LONGEST:
             return Answer(name, fault=f"line {number} has {len(line):,} characters; at most {LONGEST} can be")
     return Answer(name, source=source)
+
+
+def _has_parity(content: bytes) -> bool:
+    """Whether a tape of characters is no text: channel 8 is in a quarter of them, and they are not UTF-8."""
+    characters = content.translate(None, FILL)
+    try:
+        content.decode()
+    except UnicodeDecodeError:
+        return 4 * len(characters.translate(None, _PLAIN)) > len(characters)
+    return False
 
 
 def _is_sheet(content: bytes) -> bool:
