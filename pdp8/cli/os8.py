@@ -65,20 +65,24 @@ def extract(*, image: str, name: str, form: str | None, output: str) -> None:
 @click.command(cls=Command)
 @_image
 @click.argument("files", type=Source(), nargs=-1, required=True)
+@option("--name renamed", "The name on the tape of the one FILE.", metavar="NAME.EX")
 @_as
 @output(Target("DECtape image"))
-def insert(*, image: str, files: tuple[str, ...], form: str | None, output: str) -> None:
+def insert(*, image: str, files: tuple[str, ...], renamed: str | None, form: str | None, output: str) -> None:
     """Copy files to a DECtape of PS/8 or OS/8, each under its own name, into a new image.
 
     \b
     Examples:
       pdp8 tape insert ps8.tu56 CIRCLE.FT -o with-circle.tu56
+      pdp8 tape insert ps8.tu56 eia.pal --name EIA.PA -o with-eia.tu56
     """
+    if renamed is not None and len(files) > 1:
+        raise click.UsageError(f"--name is for one FILE, not {len(files)}.")
     reel = _reel(image)
     with naming(image):
         os8.directory(reel)
     for file in files:
-        name, content = Path(file).name, shelf.read(file)
+        name, content = Path(file).name if renamed is None else renamed, shelf.read(file)
         with naming(file):
             reel = os8.insert(reel, name, _packed(content, _form(name, form)))
     command.put(output, reel.content())
