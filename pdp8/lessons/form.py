@@ -14,6 +14,7 @@ from pdp8 import shelf
 from pdp8.lessons import diagnosis, draw, values
 from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
+from tapes.errors import called
 from tapes.text import lines_of
 
 FOLDER = os.path.join(shelf.beside(__file__), "exercises")
@@ -44,9 +45,9 @@ def read(name: str, seed: int = SEED) -> Exercise:
     try:
         return parse(shelf.read_text(path), os.path.basename(stem), seed, os.path.dirname(path))
     except ExerciseError as error:
-        if path.endswith((".toml", ".json")):
-            raise
-        raise ExerciseError(f"{error}; an exercise in TOML is wanted first, then the answers") from error
+        cure = "; an exercise in TOML is wanted first, then the answers"
+        said = f"{called(name)}{str(error).removeprefix(os.path.basename(stem))}"
+        raise ExerciseError(said + cure * (not path.endswith((".toml", ".json")))) from error
 
 
 def variant(name: str, seed: int) -> int:
