@@ -14,6 +14,7 @@ import click
 import pytest
 
 from pdp8.cli.root import pdp8
+from pdp8.cli.running import pacing
 from pdp8.cli.shared import command
 from tapes.errors import TapeError, visible
 
@@ -103,9 +104,13 @@ def test_a_signal_that_is_ignored_stays_so(name: str) -> None:
     """In the background, under nohup."""
     number = getattr(signal, name)
     signal.signal(number, signal.SIG_IGN)
-    inside = click.Command("own", callback=lambda: int(signal.getsignal(number) is signal.SIG_IGN))
+
+    def inside() -> int:
+        with pacing.ctrl_c():  # as in a run
+            return int(signal.getsignal(number) is signal.SIG_IGN)
+
     with pytest.raises(SystemExit, match="1"):
-        command.run(inside, "own", [])
+        command.run(click.Command("own", callback=inside), "own", [])
     assert signal.getsignal(number) is signal.SIG_IGN
 
 

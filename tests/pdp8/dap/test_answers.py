@@ -348,6 +348,13 @@ def test_a_frame_has_its_place_and_each_row_its_lamps(program: str) -> None:
     assert (time["name"], time["value"]) == ("TIME", "0.00000000 s")
 
 
+def test_each_register_and_switch_that_is_shown_is_set(program: str) -> None:
+    (shown,) = asked(program, ("variables", {"variablesReference": scopes.REGISTERS}))
+    given = [{"name": each["name"], "variablesReference": scopes.REGISTERS} for each in shown["variables"]]
+    answers = asked(program, *(("setVariable", {**each, "value": "1"}) for each in given))
+    assert [int(answer["value"], 8) for answer in answers] == [1] * len(given)
+
+
 def test_all_fields_of_a_device_are_shown_and_those_that_can_be_set_are(program: str) -> None:
     (devices,) = asked(program, ("variables", {"variablesReference": 4}))
     for device in devices["variables"]:

@@ -9,7 +9,7 @@ from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.machine import Machine
-from pdp8.monitor import rack
+from pdp8.monitor import commands, rack
 from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.commands import find
 from pdp8.monitor.prompt import Monitor
@@ -162,6 +162,40 @@ def test_what_a_device_does_that_was_fitted_on_the_way_is_undone(kind: str, moni
     device.flag = 1
     do(monitor, "step 2", "back 3")
     assert device.flag == 0
+
+
+RUNS = {
+    **dict.fromkeys(("cont", "run", "wait"), ".3"),
+    **dict.fromkeys(("until", "expect"), "A 1"),
+    **{
+        "go": "200 .3",
+        "boot": "hello.pal",
+        "type": "A",
+        "send": "A",
+        "keyboard": '"A"',
+        "step": "5",
+        "cycle": "5",
+    },
+}
+
+
+def test_whatever_lets_the_machine_run_is_counted(monitor: Monitor, said: list[str]) -> None:
+    """Every instruction of it; each of the program takes one cycle, but those of the loaders."""
+    assert {*commands._RUNS} <= RUNS.keys()
+    for name, words in RUNS.items():
+        do(
+            monitor,
+            "deposit 200 6031 5200 6036 6046 5200",
+            "go 200 .1",
+            "keyboard now AB",
+            "cont .1",
+            "count on",
+        )
+        before = monitor.machine.instructions
+        do(monitor, f"{name} {words}", "count")
+        found = next(line for line in reversed(said) if " instructions, " in line)
+        assert found.startswith(f"{monitor.machine.instructions - before:,} instructions"), name
+        assert monitor.machine.instructions > before
 
 
 def test_words_of_8k_are_counted_to_its_end() -> None:
