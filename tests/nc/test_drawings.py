@@ -4,13 +4,11 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from io import BytesIO
 from math import dist
 from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from PIL import Image
 
 import nc
 from nc.curves import Curve, Ellipse, Graph, StraightLine
@@ -22,7 +20,7 @@ from nc.talysurf import talysurf
 from pdp8 import shelf
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milled, milling, staircase, tape
-from tests.pictures import assert_looked_at
+from tests.pictures import assert_looked_at, pixels
 
 SVG = "{http://www.w3.org/2000/svg}"
 THE_CIRCLE = Ellipse(4000, 4000, 1750, 1750)
@@ -117,13 +115,11 @@ def test_an_axis_is_marked_within_the_drawing() -> None:
 
 def test_the_halo_of_a_label_hides_none_of_its_letters() -> None:
     """CairoSVG makes as many dark pixels of both: it does not know paint-order."""
-    svg2png = pytest.importorskip("cairosvg").svg2png
     dark = []
     for write in (Sheet.text, Sheet.label):
         sheet = Sheet(200, 100, "label")
         write(sheet, 20, 60, "YES C D E", font_size=24)
-        picture = Image.open(BytesIO(svg2png(sheet.svg().encode(), background_color="white"))).convert("L")
-        dark.append(sum(picture.histogram()[:128]))
+        dark.append(sum(pixels(sheet.svg()).histogram()[:128]))
     assert dark[0] == dark[1] > 100
 
 

@@ -16,6 +16,7 @@ from programs import circle, die, polynomial
 from tapes import ascii
 from tapes.errors import WorkError
 from tests.conftest import Call
+from tests.pictures import pixels
 
 KNOWN = conjectures()
 
@@ -102,8 +103,6 @@ def test_the_letter_names_page_and_place_of_each() -> None:
 
 def drawn(lines: list[str], path: Path) -> None:
     """Draw a page of monospace lines as a typewriter's, six to the inch, 100 dots to the inch."""
-    cairosvg = pytest.importorskip("cairosvg")
-
     rows = "".join(
         f'<text x="80" y="{60 + 17 * row}" xml:space="preserve">{line}</text>'
         for row, line in enumerate(lines)
@@ -111,7 +110,7 @@ def drawn(lines: list[str], path: Path) -> None:
     size = 'width="850" height="1100"'
     svg = f'<svg xmlns="http://www.w3.org/2000/svg" {size}><rect {size} fill="#fff"/>'
     style = '<g font-family="monospace" font-size="12">'
-    cairosvg.svg2png(bytestring=f"{svg}{style}{rows}</g></svg>".encode(), write_to=str(path))
+    pixels(f"{svg}{style}{rows}</g></svg>").save(path)
 
 
 @pytest.mark.slow("reads pictures by OpenCV")

@@ -2,14 +2,11 @@
 
 import re
 from collections.abc import Callable, Iterator
-from io import BytesIO
 from itertools import combinations
 from math import dist
 from xml.etree import ElementTree as ET
 
 import pytest
-from cairosvg import svg2png  # type: ignore[import-untyped]
-from PIL import Image
 from shapely.affinity import scale
 from shapely.geometry import LineString, Polygon
 
@@ -24,6 +21,7 @@ from programs import fluidic
 from programs.die import AXES
 from tapes import eia
 from tapes.quantities import inches
+from tests.pictures import pixels
 
 SVG = "{http://www.w3.org/2000/svg}"
 DRAWN = [item for item in catalogue() if item.maker and item.kind == "figure"]
@@ -178,13 +176,6 @@ def test_the_figures_of_the_note_on_the_polar_graphs() -> None:
         assert worst in find("7.2").note
 
 
-def pixels(svg: str, scale: int) -> Image.Image:
-    """Return what CairoSVG makes of a drawing, grey, `scale` pixels to a unit of paper."""
-    width = scale * float(ET.fromstring(svg).get("viewBox", "").split()[2])
-    png = svg2png(bytestring=svg.encode(), output_width=round(width), background_color="white")
-    return Image.open(BytesIO(png)).convert("L")
-
-
 def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> None:
     """Shapely's buffer of the path against CairoSVG's pixels: dark along its boundary, light beside it."""
     right = Polygon([at for segment in fluidic.channel(0) for at in diagrams._points(segment)])
@@ -195,7 +186,9 @@ def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> N
     assert (round(right_end - left), round(top - bottom)) == (10001, 9563)
     nozzle = cavity.intersection(LineString([(-500, 2050), (500, 2050)]))
     assert nozzle.length == pytest.approx(201, abs=0.5)  # .020 x 10, to .001 of the cutter's path
-    picture, frame = pixels(diagrams.element(), 8), centre.buffer(500).bounds
+    svg = diagrams.element()
+    width = 8 * float(ET.fromstring(svg).get("viewBox", "").split()[2])
+    picture, frame = pixels(svg, round(width)), centre.buffer(500).bounds
 
     def dark(shape: Polygon) -> float:
         """Return how much of a shape's boundary, at 70 units of paper an inch, is drawn in ink."""

@@ -155,6 +155,6 @@ def _names(code: CodeType) -> Iterator[str]:
     """Yield the functions and methods in a piece of code by their qualified names."""
     for each in code.co_consts:
         if isinstance(each, CodeType):
-            if each.co_flags & 1 and each.co_name[0] != "<":  # no class
+            if each.co_flags & 1 and each.co_name[0] != "<" and each.co_name != "__annotate__":  # no class
                 yield each.co_qualname
             yield from _names(each)
