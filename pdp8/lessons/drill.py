@@ -22,7 +22,10 @@ LEFT_ALONE = 60.0
 _KEYS = {
     "load_add": "LOAD ADD", "exam": "EXAM", "dep": "DEP", "start": "START", "cont": "CONT", "stop": "STOP",
 }  # fmt: skip
-_LOCKING = {"mem_prot": "MEM PROT is up", "sing_step": "SING STEP is on"}
+_LOCKING = {
+    "mem_prot": "MEM PROT is up", "sing_step": "SING STEP is on",
+    "inst_field": "INST FIELD is up", "data_field": "DATA FIELD is up",
+}  # fmt: skip
 
 
 class DrillStep(NamedTuple):

@@ -9,13 +9,14 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session
+from pdp8.console.switches import LOCKING
 from pdp8.lessons.drill import LEFT_ALONE, NAMES, Coach, _holds, _loaded, find
 
 KEYS = ("load_add", "exam", "dep", "start", "cont", "stop")
 
 
-def room(name: str, left_alone: float | None = None) -> tuple[Session, Coach]:
-    session, programs = opening(clock=lambda: 0.0)
+def room(name: str, left_alone: float | None = None, memory: int = 0o10000) -> tuple[Session, Coach]:
+    session, programs = opening(clock=lambda: 0.0, memory=memory)
     bin_tape, program_tape = session.tapes[:2]
     tapes = (bin_tape.name, programs[1].words), (program_tape.name, programs[2].words)
     return session, Coach(find(name, tapes), session.machine, left_alone)
@@ -90,14 +91,15 @@ def test_boot_leaves_the_program_in_core() -> None:
     ],
 )
 def test_the_first_wrong_switch_is_named_and_the_key_not_pressed(key: str, sr: int, said: str) -> None:
-    session, coach = room("rim")
+    session, coach = room("rim", memory=0o20000)
     assert not press(session, coach, key, sr)
     assert (coach.said, coach.wrong, coach.at) == (said, 1, 0)
-    for name, is_so in (("mem_prot", "MEM PROT is up"), ("sing_step", "SING STEP is on")):
-        setattr(session.machine.panel, name, True)
+    for name in LOCKING:
+        session.lock(name)
         assert not press(session, coach, "load_add", 0o7756)
+        is_so = f"{name.upper().replace('_', ' ')} is {'on' if name == 'sing_step' else 'up'}"
         assert coach.said == f"{is_so}: put it back first"
-        setattr(session.machine.panel, name, False)
+        session.lock(name)
     assert press(session, coach, "load_add", 0o7756)
 
 
