@@ -1,5 +1,7 @@
 """The afternoon itself: what was done, what it left, and its figures beside the thesis's."""
 
+from time import monotonic
+
 import pytest
 
 import pal
@@ -19,7 +21,9 @@ def test_the_acts_follow_one_another(circle: Afternoon) -> None:
     assert circle.acts[0].starts == 0
     assert [act.starts for act in circle.acts[1:]] == [act.ends for act in circle.acts[:-1]]
     announced: list[Act] = []
+    began = monotonic()
     assert list(replay("drill", announced.append).acts) == announced
+    assert 0 < sum(act.real for act in announced) <= monotonic() - began
 
 
 def test_its_tapes_are_those_of_the_chain(circle: Afternoon) -> None:
