@@ -95,7 +95,8 @@ class Monitor:
         """Use the machine of state `text`; devices, reels, breakpoints and pace stay."""
         watch, pace = self.machine.watch, self.operator.pace
         fitted = [type(device)() for device in self.machine.devices]
-        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known()))
+        mount = "attach dtN FILE mounts it"
+        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known(), mount))
         self.machine.watch, self.operator.pace = watch, pace
 
     def say_where(self, why: str) -> None:
