@@ -261,8 +261,8 @@ def _failures(tried: Trial, answer: Answer, outcome: Outcome, whole: Trial) -> I
     if tried.instructions is not None and outcome.instructions > tried.instructions:
         yield Failure("instructions", f"at most {tried.instructions:,}", f"{outcome.instructions:,}")
     if tried.takes is not None and not tried.takes[0] <= stop.elapsed <= tried.takes[1]:
-        wanted = f"{tried.takes[0]:.6g} to {tried.takes[1]:.6g} s"
-        yield Failure("the time", wanted, f"{stop.elapsed:.6g} s")
+        least, most, got = [f"{time:.7f}".rstrip("0").rstrip(".") for time in (*tried.takes, stop.elapsed)]
+        yield Failure("the time", f"{least} to {most} s", f"{got} s")
 
 
 def _registers(tried: Trial, outcome: Outcome) -> Iterator[Failure]:
