@@ -30,6 +30,13 @@ globalThis.pack = (() => {
   else if (!styled) stumble("The server of this page forbids its style (Content-Security-Policy): save the page, and open the file.");
   if (lacks.length || !styled) return null;
   const policy = globalThis.trustedTypes?.createPolicy("start", { createScript: (text) => text });
+  let early = []; // files that are dropped before the page can take them
+  const hold = (event) => {
+    if (!early || !event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    if (event.type === "drop") early.push(...event.dataTransfer.files);
+  };
+  for (const kind of ["dragover", "drop"]) addEventListener(kind, hold);
   const bytes = (packed) => {
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(packed);
     const plain = atob(packed), data = new Uint8Array(plain.length);
@@ -47,5 +54,5 @@ globalThis.pack = (() => {
   };
   const record = async (id) => JSON.parse(await content(id));
   run("code");
-  return { unpacked, record: record("record"), later: (module) => run("later").then(module), more: () => record("more") };
+  return { unpacked, record: record("record"), later: (module) => run("later").then(module), more: () => record("more"), early: () => [early, early = null][0] };
 })();

@@ -99,6 +99,7 @@ interface ParentNode {
 
 /** start.js */
 declare const pack: {
+  early(): File[];
   unpacked(packed: string): Promise<string>;
   record: Promise<any>;
   later<T>(module: () => T): Promise<T>;

@@ -587,7 +587,7 @@ export function open(source, address, { kept = {}, own = {}, reduced = false, st
     localStorage: Object.assign(new Storage(), kept), sessionStorage: Object.assign(new Storage(), own), matchMedia: media, getComputedStyle: (each) => ({ getPropertyValue: () => "", color: each.parentElement?.className }), getSelection: () => "", innerWidth: WIDE, innerHeight: HIGH, devicePixelRatio: 1,
     setTimeout: later, clearTimeout: (number) => due.delete(number), requestAnimationFrame: (act) => later(() => act(now), 1), cancelAnimationFrame: (number) => due.delete(number), requestIdleCallback: (act) => later(act),
     addEventListener: (...given) => view.addEventListener(...given), removeEventListener: (...given) => view.removeEventListener(...given), dispatchEvent: (event) => view.dispatchEvent(event),
-    pack: { record: record("record"), more: async () => record("more"), unpacked },
+    pack: { record: record("record"), early: () => [], more: async () => record("more"), unpacked },
     ...Object.fromEntries("AudioContext AudioBuffer AudioBufferSourceNode BiquadFilterNode DynamicsCompressorNode GainNode OscillatorNode".split(" ").map((kind) => [kind, sounding(kind)])),
   });
   Map.groupBy ??= (all, of) => [...all].reduce((found, each) => found.set(of(each), [...(found.get(of(each)) ?? []), each]), new Map()); // Node.js 20 has none

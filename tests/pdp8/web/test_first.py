@@ -86,6 +86,19 @@ def test_a_fault_is_said(browser: Browser, file: Path) -> None:
         until(page, "!!window.workbench?.ready && !document.getElementById('stumbled')")
 
 
+_EARLY = """addEventListener("DOMContentLoaded", () => {
+  const early = new Event("drop", { bubbles: true, cancelable: true });
+  early.dataTransfer = { types: ["Files"], files: [new File(["1"], "a.pal")] };
+  window.early = [document.dispatchEvent(early), "workbench" in window];
+});"""
+
+
+def test_a_file_that_is_dropped_before_there_is_a_page_is_opened(browser: Browser, file: Path) -> None:
+    with _opened(browser, file, gone=_EARLY) as page:
+        until(page, "window.workbench?.editor?.name === 'a.pal'")
+        assert page.evaluate("window.early") == [False, False]
+
+
 def test_on_paper(browser: Browser, file: Path) -> None:
     """The room is printed as its first picture; the desk as what it has, on white."""
     with visit(browser, file.as_uri(), viewport={"width": 1366, "height": 768}) as page:
