@@ -74,10 +74,14 @@ export class Bench {
     });
   }
 
-  /** The machine, with what is watched in it and its tape's name; while the afternoon leads it, as it was kept before. */
+  /** The visitor's machine: while the afternoon leads the page's, the one that the room keeps, if any. */
+  get own() {
+    return this.afternoon.on ? this.room.own : this.machine;
+  }
+
+  /** It, with what is watched in it and its tape's name; where there is none, as it was kept before. */
   get kept() {
-    const { teletype, until } = this, { leverWaits } = teletype;
-    const machine = this.afternoon.on ? this.room.own : this.machine;
+    const { own: machine, teletype, until } = this, { leverWaits } = teletype;
     if (!machine) return this.before;
     const breakpoints = [...machine.watch.breakpoints].filter((address) => address !== until.added);
     return { state: this.drives.bare(machine), breakpoints, tape: { leverWaits, name: teletype.called(machine) } };
@@ -86,7 +90,7 @@ export class Bench {
   set kept({ state, breakpoints, tape }) {
     this.before = { state, breakpoints, tape };
     const machine = this.drives.restored(state);
-    for (const address of breakpoints) machine.watch.breakpoints.add(address & (machine.memory - 1));
+    for (const address of breakpoints) if (address < machine.memory) machine.watch.breakpoints.add(address);
     if (this.room.open) {
       machine.panel.stop();
       this.room.keep(machine);
@@ -97,6 +101,7 @@ export class Bench {
   /** Let a machine be the page's, as a copy that has a PC8/L. */
   adopt(/** @type {Machine} */ machine, stops = false) {
     this.aim();
+    this.drives?.rescue(machine);
     this.teletype?.clear(); // another machine has another paper
     this.machine = this.like(machine);
     if (stops) this.machine.panel.stop();
@@ -133,6 +138,7 @@ export class Bench {
     const { machine } = this;
     machine.waiting.endless = false;
     if (machine.processor.run) this.why = "";
+    else this.aim(); // a run to a goal is over
     this.show();
     this.clock.wake();
   }
@@ -484,6 +490,7 @@ async function start() {
   // For the curious, at the browser's console: workbench.machine.core[0o200] ...
   window.workbench = bench;
   bench.opening = bench.open();
+  for (const file of pack.early()) bench.take(file);
   wire(bench);
   if (RESTS) rest();
 }

@@ -97,6 +97,7 @@ export class Afternoon {
   #lead() {
     const { bench } = this;
     if (bench.ready) bench.before = bench.kept;
+    bench.drives?.rescue(bench.room.own);
     bench.history.close();
     bench.aim();
     bench.switches?.card.end();

@@ -13,17 +13,24 @@ import { html, put } from "../html.mjs";
 import { find, many, octal } from "../written.mjs";
 import { restored } from "./boot.mjs";
 
+/** @typedef {import("../../computer/dectape/tu55.mjs").Transport} Transport */
+
 const UNITS = [0, 1];
 const TURNS = 180; // of a full reel for the whole tape
 const FULL = 9, HUB = 4; // radii of a reel with the whole tape, and with none
 /** @type {(on: number) => number} The radius of a reel that has a part of the tape, 0 to 1. */
 const radius = (on) => Math.sqrt(HUB ** 2 + on * (FULL ** 2 - HUB ** 2));
 
+/** @type {(machine: Machine | null) => TC08 | undefined} The DECtape control of a machine that has one. */
+export const controlOf = (machine) => machine?.devices.find((each) => each instanceof TC08);
+/** @type {(drive: Transport) => string} What was written on a drive's reel. */
+const changes = (drive) => `${[...drive.changed]}`;
+
 export class Drives {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.names = /** @type {WeakMap<Image, string>} */ (new WeakMap());
-    /** @type {string[]} */ this.saved = []; // what was written on each reel when it was saved
+    this.saved = /** @type {WeakMap<Image, string>} */ (new WeakMap()); // what was written on each reel when it was saved
     put(find("reels"), UNITS.map((unit) => html`<div class="drive" role="group" aria-label="Drive ${unit}" hidden>
       <svg viewBox="0 0 40 20" aria-hidden="true">${[10, 30].map((x) => html`<g transform="translate(${x} 10)"><circle class="tape"/><path d="M-3.5 0h7M0-3.5v7" class="spokes"/></g>`)}</svg>
       <span class="name"></span>
@@ -33,9 +40,9 @@ export class Drives {
     this.units = [...find("reels").children];
   }
 
-  /** The control of this page's machine, if it has one. @returns {TC08 | undefined} */
+  /** The control of the visitor's machine, if it has one. */
   get control() {
-    return this.bench.machine.devices.find((each) => each instanceof TC08);
+    return controlOf(this.bench.own);
   }
 
   /** Whether a file is a reel. */
@@ -70,11 +77,7 @@ export class Drives {
 
   /** A machine of a saved state, which may have a TC08 with reels that are here. */
   restored(/** @type {string} */ state) {
-    try {
-      return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
-    } catch (/** @type {any} */ cause) {
-      throw new Error(cause.message.replace(/mount it first.*/, "drop it on the page first"), { cause });
-    }
+    return restored(state, this.control?.drives.flatMap(({ image }) => image ?? []));
   }
 
   /** Let the machine be as a state of it says that has no reels; those that are here stay as they are. */
@@ -82,18 +85,23 @@ export class Drives {
     const values = this.restored(state).values();
     for (const name of [...values.keys()]) if (name.includes(" drive")) values.delete(name);
     this.bench.machine.put(values);
+    this.bench.remember(); // its instructions are another machine's
   }
 
   /** The state of a machine without its reels, which are too large to be kept. */
   bare(/** @type {Machine} */ machine) {
     const copy = this.bench.like(machine);
-    for (const device of copy.devices) if (device instanceof TC08) for (const drive of device.drives) drive.mount(null);
+    for (const drive of controlOf(copy)?.drives ?? []) drive.mount(null);
     return save(copy);
   }
 
   /** Toggle in the bootstrap of drive 0, and press START. */
   boot() {
-    this.bench.touch((machine) => boot(machine));
+    this.bench.aim();
+    this.bench.touch((machine) => {
+      machine.panel.mem_prot = machine.panel.sing_step = false; // as by hand, or it would not go
+      boot(machine);
+    });
     find("paper").focus();
   }
 
@@ -102,9 +110,10 @@ export class Drives {
   }
 
   save(/** @type {{value: string}} */ { value }) {
-    const drive = this.#drive(value), image = drive.written();
-    if (image) this.bench.download(this.called(Number(value)), image.content());
-    this.saved[Number(value)] = `${[...drive.changed]}`;
+    const drive = this.#drive(value);
+    if (!drive.image) return;
+    this.bench.download(this.called(Number(value)), /** @type {Image} */ (drive.written()).content());
+    this.saved.set(drive.image, changes(drive));
   }
 
   /** What the reel on a drive is called, wherever a state has put it. */
@@ -115,13 +124,19 @@ export class Drives {
   /** Whether blocks were written on the reel of a drive that are in no file. */
   unsaved(/** @type {number} */ unit) {
     const drive = this.control?.drives[unit];
-    return Boolean(drive?.blocks.length && `${[...drive.changed]}` !== this.saved[unit]);
+    return Boolean(drive?.image && drive.blocks.length && changes(drive) !== this.saved.get(drive.image));
   }
 
   /** Save a reel that goes from its drive, as nobody else will. */
   #rescue(/** @type {number} */ unit) {
     if (this.unsaved(unit)) this.save({ value: String(unit) });
-    this.saved[unit] = "";
+  }
+
+  /** Save the reels that go with the visitor's machine: those that another one has not as they are. */
+  rescue(/** @type {Machine | null} */ other) {
+    const there = controlOf(other)?.drives ?? [];
+    const has = (/** @type {Transport} */ drive) => there.some((each) => each.image === drive.image && changes(each) === changes(drive));
+    this.control?.drives.forEach((drive, unit) => has(drive) || this.#rescue(unit));
   }
 
   takeOff(/** @type {HTMLInputElement} */ { value }) {
@@ -145,7 +160,7 @@ export class Drives {
     });
   }
 
-  #turn(/** @type {HTMLElement} */ row, /** @type {import("../../computer/dectape/tu55.mjs").Transport} */ drive, /** @type {number} */ unit, /** @type {number} */ clock) {
+  #turn(/** @type {HTMLElement} */ row, /** @type {Transport} */ drive, /** @type {number} */ unit, /** @type {number} */ clock) {
     const line = drive.position(clock) / LINE;
     const part = line / LINES;
     row.querySelectorAll("g").forEach((reel, right) => {

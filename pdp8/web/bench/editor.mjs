@@ -23,7 +23,6 @@ const WIDEST = 400; // of a line that is drawn
 const TALL = 24; // pixels of a line; desk.css says it too
 const PAUSE = 250; // ms without a key, and what was typed is looked at
 const SECONDS = 5; // the most that may take
-const CORE = 0o10000;
 const KNOWN = new Set([...PERMANENT.map(({ mnemonic }) => mnemonic), ...PSEUDO_OPERATORS]);
 const TOKENS = /(\/.*)|([A-Za-z][A-Za-z0-9]*)(,|=)?|([0-9]+)/g;
 const NEW = "/ A new program\n*200\n\tCLA CLL\n\tHLT\n$\n";
@@ -132,6 +131,7 @@ export class Editor {
     this.area.setSelectionRange(0, 0);
     this.area.scrollTop = this.area.scrollLeft = 0;
     find("program-name").value = this.name;
+    for (const id of ["program-name", "delete-program"]) find(id).disabled = this.area.readOnly; // it is not what is shown
     this.#say("");
     this.changed();
   }
@@ -185,7 +185,7 @@ export class Editor {
   rename(/** @type {HTMLInputElement} */ field) {
     const { programs } = this.bench;
     const name = field.value.trim();
-    if (name && name !== this.name && !this.area.readOnly) {
+    if (name && name !== this.name) {
       const old = this.name;
       this.keep();
       const called = programs.take(name, this.text);
@@ -253,7 +253,7 @@ export class Editor {
     /** @type {Found & { name: string; text: string; listing?: Listing }} */ this.assembly = { ...found, name: this.called, text: this.text };
     /** @type {Map<number, { address: number; word: number | null }>} */ this.places = new Map();
     /** @type {Map<number, number>} */ this.lineAt = new Map(places.map(([line, address]) => /** @type {[number, number]} */ ([address, line])).reverse());
-    for (const [line, address, word] of places) if (address < CORE && !this.places.has(line)) this.places.set(line, { address, word });
+    for (const [line, address, word] of places) if (!this.places.has(line)) this.places.set(line, { address, word });
     /** @type {Map<number, Note>} */ this.wrong = new Map(diagnostics.map((each) => /** @type {[number, Note]} */ ([each.line, each])).reverse());
     const items = diagnostics.map(({ line, start, end, severity, whole }) => {
       const [first, ...rest] = whole.split("\n");
@@ -320,8 +320,10 @@ export class Editor {
   }
 
   #breakpoint(/** @type {number} */ address) {
-    this.bench.afternoon.takeOver();
-    const { breakpoints } = this.bench.machine.watch;
+    const { bench, bench: { machine: { memory } } } = this;
+    if (address >= memory) return bench.say(`no breakpoint at ${octal(address)}: core ends at ${octal(memory - 1)}`);
+    bench.afternoon.takeOver();
+    const { breakpoints } = bench.machine.watch;
     if (!breakpoints.delete(address)) breakpoints.add(address);
     this.#draw();
   }

@@ -82,6 +82,7 @@ export class Mill {
     find("eia").value = name;
     find("save-cut").toggleAttribute("disabled", false);
     find("run-mill").toggleAttribute("disabled", !this.drawing);
+    for (const each of find("mill").querySelectorAll(".pictures, .block, .reading")) each.hidden = !this.drawing; // else they are of another tape
     put(find("blocks"), html`<ol>${this.steps.map((step) => row(step))}</ol>`);
     this.line = null;
     this.rows = [...find("blocks").querySelectorAll("li")];

@@ -146,6 +146,7 @@ export class Parts {
     bench.machine.watch.breakpoints.clear(); // they were of another program
     bench.editor.open("eia.pal", bench.shelf.get("eia.pal").frames);
     bench.editor.load();
+    bench.machine.panel.sing_step = false;
     bench.machine.wait(1); // what another program was reading or punching
     bench.machine.teletype.punch.frames.clear();
     bench.teletype.mount(this.name);
@@ -164,11 +165,11 @@ export class Parts {
   }
 
   show() {
-    const { translating, bench: { machine, time } } = this, other = machine !== translating;
+    const { translating, bench: { clock, machine, time } } = this, other = machine !== translating;
     if (!machine.teletype.punch.frames.length) find("part-cut").disabled = true;
     if (!translating || (!other && machine.processor.run && !machine.waiting.endless)) return;
     this.translating = null;
-    time.setSpeed(this.speed);
+    if (clock.speed === Infinity) time.setSpeed(this.speed);
     if (other) return void (find("part-translated").textContent = "");
     const { frames } = machine.teletype.punch;
     find("part-translated").textContent = `${many(frames.length, "frames")} of EIA: ${duration(machine.elapsed)} on the PDP-8/L.`;

@@ -53,14 +53,14 @@ export class Time {
   /** Go on (1) or back (-1) by the chosen unit. */
   step(/** @type {HTMLInputElement} */ { value }) {
     const { bench, unit } = this;
-    if (bench.afternoon.on) bench.afternoon.step(unit, Number(value));
-    else if (Number(value) > 0) this.#forward(unit);
+    if (bench.afternoon.on) return bench.afternoon.step(unit, Number(value));
+    bench.aim();
+    if (Number(value) > 0) this.#forward(unit);
     else this.#back(unit);
   }
 
   #forward(/** @type {string} */ unit) {
     const { bench } = this;
-    bench.aim();
     const reason = forward(bench.history, unit);
     bench.machine.processor.run = 0;
     if (reason === "limit") bench.say("");
@@ -80,7 +80,8 @@ export class Time {
   }
 
   get kept() {
-    return { unit: this.unit, speed: find("speed").value };
+    const { translating, speed } = this.bench.parts;
+    return { unit: this.unit, speed: translating ? String(speed) : find("speed").value };
   }
 
   set kept({ unit, speed }) {

@@ -7,6 +7,7 @@
 
 import { clock, Kind } from "../../replay/day.mjs";
 import { one_of_each } from "../../computer/hardware/devices.mjs";
+import { FIELD } from "../../computer/hardware/extension.mjs";
 import { FRAME, TICKS_PER_SECOND as SECOND } from "../../computer/hardware/signals.mjs";
 import { Machine } from "../../computer/machine.mjs";
 import { Minute } from "../../lessons/minute.mjs";
@@ -102,9 +103,9 @@ export class Room {
     bench.clock.pictures.stop();
   }
 
-  /** Keep the machine at which somebody has worked, if anything is in its core. */
+  /** Keep the machine at which somebody has worked: with anything in its core, or a DECtape. */
   keep(/** @type {Machine} */ machine) {
-    this.own = machine.processor.core.some((word) => word) ? machine : null;
+    this.own = machine.processor.core.some((word) => word) || machine.memory > FIELD ? machine : null;
     this.#buttons();
   }
 

@@ -28,10 +28,13 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     boot(made)
     made.run(10)
     assert made.teletype.printer.frames == b"\xcf\xcb"
-    assert page.evaluate("workbench.machine.memory") == 0o10000
+    page.evaluate("void workbench.take(new File([new Uint8Array(1000)], 'wrong.tu56'))")
+    until(page, "workbench.why.startsWith('wrong.tu56: 1,000 bytes; a DECtape image has')")
+    assert page.evaluate("[workbench.machine.memory, workbench.machine.devices.length]") == [0o10000, 2]
     frames = [*Path(reel.file(tmp_path / "own.tu56")).read_bytes()]
     page.evaluate("(all) => void workbench.take(new File([new Uint8Array(all)], 'own.tu56'))", frames)
     until(page, "workbench.why.includes('Boot drive 0')")
+    page.evaluate("['sing step', 'mem prot'].forEach((key) => workbench.switches.press(key))")
     click(page, "#boot-reel")
     until(page, "workbench.why.startsWith('HLT')")
     assert page.locator("#paper").inner_text().strip() == "OK"
@@ -70,13 +73,42 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     assert "a RIM tape can name only 0000 to 7777" in page.locator("#next").inner_text()
 
 
-def test_a_file_that_is_no_reel_changes_nothing(browser: Browser, file: Path, tmp_path: Path) -> None:
-    wrong = tmp_path / "wrong.tu56"
-    wrong.write_bytes(bytes(1000))
-    with visit(browser, file.as_uri() + DESK) as page:
-        page.set_input_files("#file", wrong)
-        until(page, "workbench.why.startsWith('wrong.tu56: 1,000 bytes; a DECtape image has')")
-        assert page.evaluate("[workbench.machine.memory, workbench.machine.devices.length]") == [0o10000, 2]
+_WRITTEN = """async (act) => {
+  const { drives } = workbench, saved = [], reel = new Uint8Array(380292), { download } = workbench;
+  const asks = () => !dispatchEvent(new Event("beforeunload", { cancelable: true }));
+  workbench.download = (name, content) => saved.push(name) && (window.last = content);
+  for (const [unit, name] of ["a", "b"].entries()) {
+    drives.mount(name, reel.with(0, unit));
+    workbench.touch(() => drives.control.drives[unit].write(6, 1, 0o1234));
+  }
+  drives.save({ value: "0" });
+  const before = asks();
+  await (0, eval)(`workbench.${act}`);
+  const found = [before, saved.join(" "), asks()];
+  if (workbench.room.open) workbench.room.leave();
+  const units = [0, 1].map((unit) => `${drives.called(unit)}${drives.unsaved(unit) ? "!" : ""}`);
+  for (const value of drives.control ? ["0", "1"] : []) drives.takeOff({ value });
+  workbench.download = download;
+  return [...found, ...units];
+}"""
+_EXCHANGED = """take((workbench.save(), new File(
+  [last.replace(/"drive([01])"/g, (_, unit) => `"drive${1 - unit}"`)], "x.state")))"""
+
+
+def test_what_was_written_on_a_reel_is_saved_by_whatever_takes_it_away(page: Page) -> None:
+    """Once, if no file has it; before the page is left it is asked for, from the room too."""
+    page.evaluate("() => { window.held = workbench.drives.bare(workbench.machine); }")
+    gone = [True, "a b", False, "a reel", "a reel"]
+    for act, found in {
+        "take(new File([held], 'a.state'))": gone,
+        "drives.control.drives[0].write(6, 2, 1)": [True, "a", True, "a!", "b!"],
+        "afternoon.go(0)": gone,
+        "enter()": [True, "a", True, "a", "b!"],
+        "drives.takeOff({ value: '1' })": [True, "a b", False, "a", "a reel"],
+        "drives.mount('c', new Uint8Array(380292))": [True, "a b", False, "a", "c"],
+        _EXCHANGED: [True, "a pdp8.state", True, "b!", "a"],
+    }.items():
+        assert page.evaluate(_WRITTEN, act) == found, act
 
 
 @pytest.mark.skipif(not SYSTEM.exists(), reason="PDP8_OS8=FOLDER names the folder with ps8.tu56")

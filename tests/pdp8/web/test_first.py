@@ -86,17 +86,25 @@ def test_a_fault_is_said(browser: Browser, file: Path) -> None:
         until(page, "!!window.workbench?.ready && !document.getElementById('stumbled')")
 
 
-_EARLY = """addEventListener("DOMContentLoaded", () => {
+_EARLY = """
+const drop = (name) => {
   const early = new Event("drop", { bubbles: true, cancelable: true });
-  early.dataTransfer = { types: ["Files"], files: [new File(["1"], "a.pal")] };
-  window.early = [document.dispatchEvent(early), "workbench" in window];
-});"""
+  early.dataTransfer = { types: ["Files"], files: [new File(["1"], name)] };
+  return document.body.dispatchEvent(early);
+};
+window.early = [];
+addEventListener("DOMContentLoaded", () => window.early.push(drop("a.pal"), "workbench" in window));
+new MutationObserver(() => {
+  if (window.workbench && window.early.length < 3) window.early.push(drop("b.asc"), workbench.ready);
+}).observe(document, { childList: true, subtree: true });
+"""
 
 
-def test_a_file_that_is_dropped_before_there_is_a_page_is_opened(browser: Browser, file: Path) -> None:
+def test_a_file_that_is_dropped_at_once_waits_for_the_desk(browser: Browser, file: Path) -> None:
+    """Before there is a page, and before there is a desk: the browser opens none."""
     with _opened(browser, file, gone=_EARLY) as page:
-        until(page, "window.workbench?.editor?.name === 'a.pal'")
-        assert page.evaluate("window.early") == [False, False]
+        until(page, "window.workbench?.teletype?.called() === 'b.asc' && workbench.editor.name === 'a.pal'")
+        assert page.evaluate("window.early") == [False] * 4
 
 
 def test_on_paper(browser: Browser, file: Path) -> None:
