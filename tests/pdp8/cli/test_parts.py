@@ -20,6 +20,7 @@ from pdp8.cli.assemble import pal
 from pdp8.cli.root import pdp8
 from pdp8.cli.running import feed, keyboard, pacing, watching
 from pdp8.cli.shared import command, parameters
+from pdp8.cli.shared.arguments import Folder
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind, state
 from pdp8.computer.past.history import History
@@ -86,6 +87,18 @@ def test_a_name_in_a_folder_is_left_to_the_shell(tmp_path: Path, monkeypatch: py
     names = completed(pdp8, ["run"], "eia")
     assert ("eia-of/", "plain") in names
     assert names == sorted(names)
+
+
+def test_the_name_of_a_file_is_no_folder_s_unless_it_is_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name in ["a.svg", "a.html", "a.pdf", "a.PNG", "a.json", "a.csv", "a.txt", "a.zip", "a.tar.gz"]:
+        with pytest.raises(click.BadParameter, match=f"{name} is the name of a file, not of a folder"):
+            Folder().convert(name, None, None)
+        Path(name).mkdir()
+        assert Folder().convert(name, None, None) == name
+    assert Folder().convert("a.v2", None, None) == "a.v2"
 
 
 def test_which_tapes_are_read_as_pipes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
