@@ -90,11 +90,12 @@ def take_off(monitor: Monitor, kind: str = "") -> None:
         file = monitor.punching.pop(each)
         fast = each == "ptp" and machine.highspeed.fitted
         punch = (machine.highspeed if fast else machine.teletype).punch
-        paper = next((device.paper for device in machine.devices if isinstance(device, LP08)), "")
-        if not (paper if each == "lpt" else punch.frames) and os.path.exists(file):
-            monitor.say(f"{file} stays as it is: nothing was {'printed' if each == 'lpt' else 'punched'}")
-        elif each == "lpt":
-            monitor.say(shelf.leave(file, paper.encode(), "text"))
+        printed = [device.frames for device in machine.devices if isinstance(device, LP08) and each == "lpt"]
+        if not (printed or [punch.frames])[0] and os.path.exists(file):
+            monitor.say(f"{file} stays as it is: nothing was {'printed' if printed else 'punched'}")
+        elif printed:
+            monitor.say(shelf.leave(file, bytes(printed[0]), "text"))
+            printed[0].clear()
         else:
             tapes.take_off(monitor, punch, file)
 

@@ -143,7 +143,8 @@ def test_a_disk_and_a_printer_are_fitted_as_they_are_attached() -> None:
     )
     do(monitor, "d 7750 7777 0277", "go 200", "wait 1", "show", "detach lpt")
     assert said[-2:] == ["df   discs, 1 word written", "wrote text"]
-    assert Path("text").read_text() == "A"
+    do(monitor, "attach lpt more", "detach lpt")
+    assert (Path("text").read_text(), Path("more").read_text()) == ("A", "")
     with pytest.raises(MonitorError, match="df: 1 word of discs changed; detach df FILE saves them"):
         do(monitor, "detach df")
     rack.leave(monitor)
