@@ -193,8 +193,13 @@ class Card(Page):
 
     def look(self) -> object:
         frame(self, "RIM loader · R toggles it in for you")
-        core = self.session.machine.core
-        return [core[RIM_START + place] for place in range(len(RIM))], self.session.address
+        core, start = self.session.machine.core, self._start
+        return [core[start + place] for place in range(len(RIM))], start, self.session.address
+
+    @property
+    def _start(self) -> int:
+        """Where the loader goes: in the field that INST FIELD says."""
+        return self.session.machine.panel.inst_field << 12 | RIM_START
 
     def render(self) -> Text:
         wide = self.size.width >= _CARD_WIDTH
@@ -210,13 +215,15 @@ class Card(Page):
         return text
 
     def _word(self, place: int, wide: bool) -> Text:
-        address, word = RIM_START + place, RIM[place]
+        address, word = self._start + place, RIM[place]
         there = self.session.machine.core[address] == word
         tick, ticked = "✓" if there else "·", _BRIGHT if there else _FAINT
         here = _HERE if address == self.session.address else None
         text = Text(f"{address:04o}", here or _FAINT).append(f" {word:04o}", here or _BRIGHT)
         if wide:
-            return text.append(f" {self.statements[address]:<11}", _LABEL).append(f"{tick} ", ticked)
+            return text.append(f" {self.statements[RIM_START + place]:<11}", _LABEL).append(
+                f"{tick} ", ticked
+            )
         return text.append(tick, here or ticked)
 
 

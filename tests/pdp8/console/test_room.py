@@ -103,7 +103,10 @@ async def test_switches_by_hand_and_by_mouse(room: Room, pilot: Pilot[None]) -> 
 async def test_the_switches_of_the_memory_extension(room: Room, pilot: Pilot[None]) -> None:
     machine = room.session.machine
     machine.core[0o10200] = 0o6211
-    await press(pilot, "i 0 2 0 0 l")
+    await press(pilot, "i r")
+    turn(room, 3)
+    assert "17776 0000✓" in shown(room)
+    await press(pilot, "0 2 0 0 l")
     assert (machine.pc, machine.ma, machine.mb, machine.panel.data_field) == (0o10200, 0o10200, 0o6211, 0)
     assert_shows(room, "8K, in field 1, 80x24")
     while "core about the PC, 10200" not in shown(room):
