@@ -279,18 +279,6 @@ def test_a_command_that_halts_the_machine_is_told_as_a_stop(folder: Path) -> Non
         assert f["body"]["result"].split()[1] == "0000"
 
 
-def test_a_pause_while_the_machine_stands_has_no_effect(folder: Path) -> None:
-    seen = play(
-        folder,
-        *launched({"program": "counts.pal"}),
-        ["pause", {"threadId": 1}],
-        [*console("wait 2"), "stopped"],
-        ["evaluate", {"expression": "cont", "context": "repl"}, "stopped"],
-    )
-    assert seen.answers[-1]["event"]["reason"] in ("halt", "pause")
-    assert "halt" in seen.answers[-1]["body"]["result"]
-
-
 def test_a_program_of_two_tapes_has_breakpoints_in_both(folder: Path) -> None:
     (folder / "one.pal").write_text("*200\n\tJMS SUB\n\tHLT\nPAUSE\n")
     (folder / "two.pal").write_text("SUB,\t0\n\tISZ SUB\n\tJMP I SUB\n$\n")

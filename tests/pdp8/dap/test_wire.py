@@ -28,19 +28,10 @@ def framed(*requests: Any) -> bytes:
     return b"".join(b"Content-Length: %d\r\n\r\n%b" % (len(content), content) for content in contents)
 
 
-@pytest.mark.parametrize(
-    ("sent", "said"),
-    [
-        (b"junk\r\n\r\n", "has no Content-Length"),
-        (b"Content-Length: 5\r\n\r\n{}", "ends after 2 of the 5 bytes"),
-        (b"Content-Length: 5\r\n", "ends within the head"),
-    ],
-)
-def test_what_is_no_message_ends_the_session(sent: bytes, said: str) -> None:
-    done = run("pdp8", "dap", stdin=sent)
+def test_what_is_no_message_ends_the_session() -> None:
+    done = run("pdp8", "dap", stdin=b"Content-Length: 5\r\n")
     assert (done.returncode, done.stdout) == (1, b"")
-    assert done.stderr.decode().startswith("pdp8 dap: ")
-    assert said in done.stderr.decode()
+    assert done.stderr.startswith(b"pdp8 dap: the input ends within the head")
 
 
 def spoken(stdout: bytes) -> list[dict[str, Any]]:

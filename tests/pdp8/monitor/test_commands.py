@@ -30,17 +30,9 @@ def test_a_tape_in_the_high_speed_reader_and_one_off_the_punch() -> None:
 
 def test_a_command_may_be_shortened() -> None:
     names = {
-        "b": "boot",
-        "s": "step",
-        "c": "cont",
-        "d": "deposit",
-        "g": "go",
-        "e": "examine",
-        "ex": "examine",
-        "l": "load",
-        "w": "watch",
-        "SE": "set",
-    }
+        "b": "boot", "s": "step", "c": "cont", "d": "deposit", "g": "go", "e": "examine", "ex": "examine",
+        "l": "load", "w": "watch", "SE": "set",
+    }  # fmt: skip
     assert {word: find(word).name for word in names} == names
 
 
