@@ -50,7 +50,7 @@ class Source(_Type):
     ) -> list["CompletionItem"]:
         """Complete with the folder's files and bundled names, or leave it to the shell."""
         names = [name for name in (*shelf.bundled(), *self._more()) if name.startswith(incomplete)]
-        if os.path.dirname(incomplete) or not names:
+        if not names:
             return _completed([incomplete], "file")
         here = [f"{entry.name}{'/' * entry.is_dir()}" for entry in os.scandir() if entry.name[:1] != "."]
         found = {*names, *(name for name in here if name.startswith(incomplete))}
