@@ -163,10 +163,11 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     corners = len(np.unique(cuts.reshape(-1, 2), axis=0))
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, corners))
     stations = curve.stations(count)
-    measured = _met(_to_edge(curve, walls(cuts, stations, cutter / 2, curve.part_wall), stations))
+    found = walls(cuts, stations, cutter / 2, curve.part_wall, tolerance=tolerance)
+    measured = _met(_to_edge(curve, found, stations))
     if np.isnan([measured.outer, measured.inner]).all():
         raise WorkError(f"the cutter did not reach the curve: {curve}")
-    finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points)
+    finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points, tolerance)
     readings = tuple(_readings(curve, measured, _to_edge(curve, finer, stations)))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())
     centre = _centre(cuts, stations, cutter)
@@ -232,9 +233,15 @@ def segments(moves: Sequence[Move]) -> Floats:
 
 
 def walls(
-    cuts: Floats, stations: Stations, radius: float, part_wall: str = "", path: Floats | None = None
+    cuts: Floats,
+    stations: Stations,
+    radius: float,
+    part_wall: str = "",
+    path: Floats | None = None,
+    tolerance: float = 0,
 ) -> Walls:
-    """Return the exact walls that a cutter of this radius leaves at the stations along the cuts (n, 4).
+    """Return the exact walls that a cutter of this radius leaves at the stations along the cuts (n, 4),
+    which are about as far off the curve's `path` as the tolerance.
 
     An error is infinite where the normal goes along a cut and meets no wall.
     """
@@ -249,7 +256,11 @@ def walls(
     path = stations.points if path is None else path
     found = {}
     for wall, error, sign in (("outer", ends[1] - radius, 1), ("inner", ends[0] + radius, -1)):
-        stands = wall == part_wall if part_wall else _stands(stations, sign * radius, path[::_EVERY])
+        stands = np.full(len(stations), wall == part_wall)
+        if not part_wall:  # one out of tolerance, only where no cut from elsewhere comes near
+            reaches = (radius, radius + 2 * tolerance)
+            stands, sure = (_stands(stations, sign * reach, path[::_EVERY]) for reach in reaches)
+            stands &= sure | (np.abs(error) <= tolerance)
         found[wall] = np.where(stands, error, np.nan)
     return Walls(stations, found["outer"], found["inner"], part_wall)
 

@@ -1,6 +1,7 @@
 """`pdp8 part`: each part program as a command whose options are its constants."""
 
 import os
+from collections.abc import Callable
 from itertools import zip_longest
 from typing import Any, Literal
 
@@ -16,7 +17,7 @@ from programs.constants import Constant, arguments
 from programs.parts import PARTS, Part
 from programs.units import THOUSANDTHS
 from tapes import ascii, eia
-from tapes.errors import naming
+from tapes.errors import WorkError, naming
 from tapes.nominal import Nominal
 from tapes.text import lines_of
 
@@ -75,7 +76,7 @@ def _command(part: Part) -> click.Command:
         elif part.file:
             text, values = _from_file(part, values, mm)
         else:
-            text = program(**arguments(program, values))
+            text = _from_expression(program, values, source)
         command.put(output, ascii.encode(text))
         is_file = output != "-" and os.path.isfile(output)
         if is_file and (nominal := part.nominal(arguments(program, values))):
@@ -98,6 +99,15 @@ def _command(part: Part) -> click.Command:
         context_settings=_SETTINGS,
     )
     return output(Target("tape"))(made)
+
+
+def _from_expression(program: Callable[..., str], values: dict[str, Any], source: str) -> str:
+    try:
+        return program(**arguments(program, values))
+    except WorkError as error:
+        if not (source and shelf.has(source)):
+            raise
+        raise WorkError(f"{error}; `pdp8 part fit {source}` makes one of a file's points") from error
 
 
 def _put_beside(tape: str, nominal: Nominal, text: str) -> None:

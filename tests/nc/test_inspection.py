@@ -222,13 +222,19 @@ def test_a_closed_contour_that_ends_elsewhere_is_not_closed() -> None:
 
 
 def test_a_wide_cutter_leaves_no_wall_within_a_bend() -> None:
-    """A circle as wide as the cutter has no inside; y = x² is .5 (1 + 4x²)^1.5 in round, its centre above."""
-    for cutter, without in ((3490, 0), (3502, 1)):
+    """A circle as wide as the cutter has no inside, a square none in its corners.
+
+    y = x² is .5 (1 + 4x²)^1.5 in round, its centre above.
+    """
+    for cutter, without in ((3470, 0), (3502, 1)):
         found = inspect(nc.cut(CIRCLE), cutter=cutter)
         assert (found.without, found.uncut) == ({"outer": 0, "inner": without}, 0)
         assert {each.wall for each in found.readings} == {"outer"} | ({"inner"} if not without else set())
         assert ("no inner wall" in talysurf(found)) == without
     assert "no wall   inner, along 100.0% of the curve" in "\n".join(inspection_report(found))
+    corners = [(4000, 4004), (6004, 4004), (6004, 4996), (3996, 4996), (3996, 4004), (4000, 4004)]
+    square = Nominal("profile", (4, 4), points=((0, 0), (2, 0), (2, 1), (0, 1)))
+    assert max(abs(each.error) for each in against(milled_from(corners), square).readings) < 5
     x = np.arange(-0.8, 0.8, 0.01)
     way = np.stack([x, x * x], axis=1) * 1000 + (4000, 5000)
     places = [(way[0], way[0]), *pairwise(way.round())]
