@@ -3,8 +3,8 @@
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack, suppress
 from typing import TYPE_CHECKING
 
 import click
@@ -150,11 +150,22 @@ def _typed() -> Iterator[str]:
     from prompt_toolkit import PromptSession
     from prompt_toolkit.application import get_app
     from prompt_toolkit.completion import WordCompleter
-    from prompt_toolkit.history import FileHistory, InMemoryHistory
+    from prompt_toolkit.history import FileHistory
 
-    folder = shelf.of_user("XDG_STATE_HOME", "~/.local/state")
-    kept = os.path.isdir(folder) and os.access(folder, os.W_OK)
-    history = FileHistory(os.path.join(folder, "pdp8-monitor")) if kept else InMemoryHistory()
+    class Kept(FileHistory):
+        """What was typed, in a file as far as it can be read and written."""
+
+        def load_history_strings(self) -> Iterable[str]:
+            try:
+                return super().load_history_strings()
+            except OSError:
+                return []
+
+        def store_string(self, string: str) -> None:
+            with suppress(OSError, UnicodeError):
+                super().store_string(string)
+
+    history = Kept(os.path.join(shelf.of_user("XDG_STATE_HOME", "~/.local/state"), "pdp8-monitor"))
     session: PromptSession[str] = PromptSession(history=history, completer=WordCompleter(list(COMMANDS)))
     asked: list[int] = []
 

@@ -166,13 +166,19 @@ def test_the_prompt_gives_each_answer_a_line_and_takes_the_tapes_off_at_the_end(
 def test_what_is_typed_is_kept_where_there_is_a_folder_of_states(
     keys: PipeInput, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    """Where its file cannot be read or written, and of what is no text, no error comes between two lines."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    for kept in (False, True):
-        keys.send_text("examine 200\r\4")
-        with create_app_session(keys, DummyOutput()):
-            assert list(monitor._typed()) == ["examine 200"]
-        assert (tmp_path / "state" / "pdp8-monitor").exists() == kept
-        (tmp_path / "state").mkdir(exist_ok=True)
+    file = tmp_path / "state" / "pdp8-monitor"
+    for kept in (False, True, False):
+        if file.exists():
+            file.unlink()
+            file.mkdir()
+        keys.send_bytes(b"examine 200\r\4load \xe4\r\4")
+        for line in ("examine 200", "load \udce4"):
+            with create_app_session(keys, DummyOutput()):
+                assert list(monitor._typed()) == [line]
+        assert file.is_file() == kept
+        file.parent.mkdir(exist_ok=True)
 
 
 @pytest.mark.parametrize("term", ["xterm", "dumb"])
