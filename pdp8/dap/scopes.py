@@ -120,7 +120,8 @@ def data_info(debuggee: Debuggee, arguments: Body) -> Body:
 def evaluate(debuggee: Debuggee, arguments: Body) -> Body:
     """Return the value of an expression, or the monitor's answer to a line of the console."""
     line = arguments["expression"].strip()
-    named = line not in debuggee.monitor.listing.symbols and command(line)[0].lower() in COMMANDS
+    word = line in debuggee.monitor.listing.symbols or debugging.is_register(debuggee.monitor, line)
+    named = not word and command(line)[0].lower() in COMMANDS
     at_console = arguments.get("context") == "repl"
     if not (at_console and named):
         try:
@@ -179,7 +180,9 @@ def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
 def completions(debuggee: Debuggee, arguments: Body) -> Body:
     """Return completions for a console line: commands first, then registers and symbols."""
     begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
-    known = [*debugging.REGISTERS, *debuggee.monitor.listing.symbols]
+    monitor = debuggee.monitor
+    extension = debugging.EXTENSION if monitor.machine.memory > FIELD else ()
+    known = [*debugging.REGISTERS, *extension, *monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
     typed = begun[2].upper()
     found = [name if name in COMMANDS else name.upper() for name in names]
@@ -219,10 +222,11 @@ def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
 
 def _registers(monitor: Monitor) -> Iterator[Body]:
     machine = monitor.machine
-    for name in (*debugging.REGISTERS, *(debugging.EXTENSION if machine.memory > FIELD else ())):
+    extended = machine.memory > FIELD
+    for name in (*debugging.REGISTERS, *(debugging.EXTENSION if extended else ())):
         refers = {"memoryReference": reference(getattr(machine, name))} if name in ("pc", "ma") else {}
         yield _variable(name.upper(), _register(machine, name), **refers)
-    for switch in debugging.SWITCHES:
+    for switch in (*debugging.SWITCHES, *(debugging.FIELDS if extended else ())):
         yield _variable(switch.upper().replace("_", " "), str(int(getattr(machine.panel, switch))))
 
 

@@ -41,9 +41,9 @@ def program(tmp_path: Path) -> str:
     return str(path)
 
 
-def asked(program: str, *requests: tuple[str, dict[str, Any]]) -> list[Any]:
+def asked(program: str, *requests: tuple[str, dict[str, Any]], **more: str) -> list[Any]:
     """Return the body of each answer, or its message, of a program that is stopped at its entry."""
-    launch = ("launch", {"program": program, "stopOnEntry": True})
+    launch = ("launch", {"program": program, "stopOnEntry": True, **more})
     heard = [
         each for each in held(launch, ("configurationDone", {}), *requests) if each["type"] == "response"
     ]
@@ -348,11 +348,18 @@ def test_a_frame_has_its_place_and_each_row_its_lamps(program: str) -> None:
     assert (time["name"], time["value"]) == ("TIME", "0.00000000 s")
 
 
-def test_each_register_and_switch_that_is_shown_is_set(program: str) -> None:
-    (shown,) = asked(program, ("variables", {"variablesReference": scopes.REGISTERS}))
-    given = [{"name": each["name"], "variablesReference": scopes.REGISTERS} for each in shown["variables"]]
-    answers = asked(program, *(("setVariable", {**each, "value": "1"}) for each in given))
-    assert [int(answer["value"], 8) for answer in answers] == [1] * len(given)
+def test_each_register_and_switch_is_shown_and_set(program: str) -> None:
+    scope = {"variablesReference": scopes.REGISTERS}
+    (shown,) = asked(program, ("variables", scope), memory="8k")
+    names = [each["name"] for each in shown["variables"]]
+    own = (*debugging.REGISTERS, *debugging.EXTENSION, *debugging.SWITCHES, *debugging.FIELDS)
+    assert names == [name.upper().replace("_", " ") for name in own]
+    set_ = (("setVariable", {**scope, "name": name, "value": "1"}) for name in names)
+    complete = ("completions", {"text": "I", "column": 2})
+    *answers, found, field = asked(program, *set_, complete, console("IF"), memory="8k")
+    assert [int(answer["value"], 8) for answer in answers] == [1] * len(names)
+    assert {"IR", "ION", "IB"} <= {each["label"] for each in found["targets"]}
+    assert field["result"] == "1"
 
 
 def test_all_fields_of_a_device_are_shown_and_those_that_can_be_set_are(program: str) -> None:
