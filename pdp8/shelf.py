@@ -32,6 +32,8 @@ _KEEPS = {"tape": _BY_HAND, **dict.fromkeys(("text", "drawing", "image"), (*_BY_
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
 """Endings of pictures in another format than SVG."""
+_PICTURES = {"SVG": (".svg",), "drawing": (".svg", ".dxf")}
+"""Endings of the formats that a picture of each kind is written in."""
 
 _STREAMS = {
     "stdin": "standard input",
@@ -262,8 +264,10 @@ def stream(name: str) -> str:
 
 def check_kind(name: str, kind: str) -> None:
     """Raise ShelfError where `name` is a file that no product of that kind replaces, or of a wrong ending."""
-    if kind == "SVG" and name.lower().endswith(_OTHER_PICTURES):
-        raise ShelfError(f"{name}: pictures are written only as SVG; name it .svg")
+    own = _PICTURES.get(kind, _OTHER_PICTURES)
+    if name.lower().endswith(_OTHER_PICTURES) and not name.lower().endswith(own):
+        formats, names = " or ".join(each[1:].upper() for each in own), " or ".join(own)
+        raise ShelfError(f"{name}: pictures are written only as {formats}; name it {names}")
     if not os.path.isfile(name) or not os.path.getsize(name):
         return
     kept = any(each.lower().endswith(_KEEPS.get(kind, ())) for each in (name, os.path.realpath(name)))

@@ -78,8 +78,10 @@ def test_a_record_replaces_its_like_alone(kind: str, first: bytes) -> None:
 
 @pytest.mark.parametrize("ending", [".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".DXF"])
 def test_a_picture_of_another_format_is_not_promised(ending: str) -> None:
-    with pytest.raises(ShelfError, match=f"x{ending}: pictures are written only as SVG; name it .svg"):
-        shelf.check_kind(f"x{ending}", "SVG")
+    for kind, formats in (("SVG", "SVG; name it .svg"), ("drawing", "SVG or DXF; name it .svg or .dxf")):
+        if (kind, ending) != ("drawing", ".DXF"):
+            with pytest.raises(ShelfError, match=f"x{ending}: pictures are written only as {formats}"):
+                shelf.check_kind(f"x{ending}", kind)
     shelf.check_kind(f"x{ending}", "HTML")
 
 
