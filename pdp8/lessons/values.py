@@ -58,7 +58,7 @@ def hint(question: Question, given: str) -> str:
         if question.number is not None and not unit and len(value) == 1 and _is(question, given, value[0], 0):
             return said
     if question.number is not None and any(_near(question, value, question.number, question.tolerance)
-                                           for value in _parted(given)[0]):  # fmt: skip
+                                           for value in _parted(_bare(given))[0]):  # fmt: skip
         return WRONG_UNIT
     if question.unit == OCTAL and _one_of(question, given, [str(int(each, 8)) for each in question.answer]):
         return DECIMAL
@@ -72,9 +72,12 @@ def _one_of(question: Question, given: str, answers: Sequence[str]) -> bool:
 def _is(question: Question, given: str, number: float, tolerance: float) -> bool:
     """Tell whether `given` equals `number` in the question's unit, which may be omitted."""
     known = _known(question)
-    words = _plain(given[given.rfind("=") + 1 :]).split()
+    words = _plain(_bare(given[given.rfind("=") + 1 :])).split()
     while words and words[0] in known and not _number(words[0]):
         words = words[1:]
+    whole = _summed(" ".join(words), question.unit)
+    if whole:
+        return _near(question, whole[0], number, tolerance)
     found, unit = _parted(_grouped(words))
     unit = " ".join([word for word in unit.split() if word not in _FILLERS])
     own = _ALSO.get(question.unit, question.unit)
@@ -96,6 +99,30 @@ def _grouped(words: list[str]) -> str:
         before, word = words[at - 1], words[at]
         thousands = before.lstrip("-").isdigit() and len(before) < 4 and len(word) == 3 and word.isdigit()
         text += word if thousands else f" {word}"
+    return text
+
+
+def _summed(text: str, unit: str) -> list[float]:
+    """Return what a text of several units says in another, as `4 min 30 s` is 270 s; [] for any other."""
+    own = _ALSO.get(unit, unit)
+    total = 0.0
+    parts = 0
+    while text:
+        values, rest = _parted(text)
+        name, _, text = rest.replace(",", "").partition(" ")
+        found = _ALSO.get(name, name)
+        if len(values) != 1 or own not in UNITS or found not in UNITS or (found in _TIMES) != (own in _TIMES):
+            return []
+        total += values[0] * UNITS[found] / UNITS[own]
+        parts += 1
+        text = text.removeprefix("and ")
+    return [total] if parts > 1 else []
+
+
+def _bare(text: str) -> str:
+    """Return a text without what may stand around a number, or says that it is about right."""
+    for mark in "()[]`*!~\u2248":
+        text = text.replace(mark, " ")
     return text
 
 
