@@ -105,7 +105,8 @@ class Assigned:
                     inner = self._read(generator.iter, inner) | _set_in(generator.target)
                     for test in generator.ifs:
                         inner = self._read(test, inner)
-                for part in (node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,):
+                made = (node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,)
+                for part in filter(None, made):  # {**a for a in b} of Python 3.15 has no value
                     self._read(part, inner)
             case ast.NamedExpr(target, value):
                 return self._read(value, known) | _set_in(target)

@@ -235,7 +235,7 @@ class Expressions(Types):
             case ast.SetComp(value, generators):
                 self.keyed(node, self.infer(node).of[0])
                 return f"$.set({self.listed(generators, value, ordered=False)})"
-            case ast.DictComp(key, value, generators):
+            case ast.DictComp(key, ast.expr() as value, generators):
                 self.keyed(node, self.infer(node).of[0])
                 return f"$.dict({self.listed(generators, ast.Tuple([key, value]))})"
         self.fail(node, instead=_INSTEAD.get(type(node), ""))
@@ -285,7 +285,7 @@ class Expressions(Types):
     def _unary(self, node: ast.expr, operator: ast.unaryop, value: ast.expr) -> str:
         kind, text = self.known(value), self.e(value)
         inverted = isinstance(operator, ast.Invert)
-        if inverted and kind in FLOATS:
+        if inverted and kind in (*FLOATS, BOOL):  # of a truth, Python 3.16 has it no more
             self.fail(node, f"the operator on {kind}")
         if kind not in (*NUMBERS, BOOL):
             self.refuse(node, f"the operator on {kind}")
@@ -726,6 +726,8 @@ class Expressions(Types):
         `first` is what a generator's first loop runs over. In a generator, and around a lambda, a variable is
         the same in all turns, as in Python.
         """
+        if isinstance(value, ast.Starred):
+            self.fail(value)
         loops, names = list[str](), list[str]()
         parts = (part for each in (value, *generators) for part in ast.walk(each))
         late = bool(first) or any(isinstance(each, ast.Lambda) for each in parts)

@@ -458,7 +458,7 @@ class Types:
                 for test in generator.ifs:
                     self.held |= self.said(test, True)
             if isinstance(node, ast.DictComp):
-                return made("dict", self.infer(node.key), self.infer(node.value))
+                return made("dict", self.infer(node.key), self.infer(node.value or node.key))
             kind = self.infer(node.elt)
         names = {ast.ListComp: "list", ast.SetComp: "set", ast.GeneratorExp: "iterator"}
         return made(names[type(node)], kind)

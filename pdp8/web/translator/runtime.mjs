@@ -363,13 +363,13 @@ const ratio = (over, under) => {
   const long = over << 128n;
   return Number(long / under | (long % under ? 1n : 0n)) / 2 ** 128;
 };
-const divisor = (b, why = "division by zero") => (b == 0 ? refuse(ZeroDivisionError, why) : b);
+const divisor = (b) => (b == 0 ? refuse(ZeroDivisionError, "division by zero") : b);
 export const div = (a, b) => {
   if (a.__truediv__) return a.__truediv__(b);
   divisor(b);
   return typeof a === "bigint" || typeof b === "bigint" ? ratio(BigInt(a), BigInt(b)) : a / b;
 };
-export const div_ = (a, b) => Number(a) / divisor(Number(b), "float division by zero");
+export const div_ = (a, b) => Number(a) / divisor(Number(b));
 export const power = (a, b) => {
   if (b < 0) return a == 0 ? refuse(ZeroDivisionError, "0.0 cannot be raised to a negative power") : Number(a) ** Number(b);
   return wholly((x, y) => x ** y, (x, y) => x ** y)(a, b);
@@ -388,22 +388,22 @@ const rest = (a, b) => {
   const left = a % b;
   return left != 0 && left < 0 !== b < 0 ? left + b : left;
 };
-export const mod = (a, b) => wholly(rest, rest)(a, divisor(b, "integer modulo by zero"));
+export const mod = (a, b) => wholly(rest, rest)(a, divisor(b));
 const quotient = wholly((a, b) => {
   const over = a - rest(a, b);
   return small(over) ? over / b : Infinity;
 }, (a, b) => (a - rest(a, b)) / b);
-export const floordiv = (a, b) => quotient(a, divisor(b, "integer division or modulo by zero"));
+export const floordiv = (a, b) => quotient(a, divisor(b));
 const signed = (of, as) => (of === 0 ? copysign(0, as) : of);
 const floats = (a, b) => {
   const left = a % b, by = (a - left) / b, other = left !== 0 && b < 0 !== left < 0;
   const near = other ? by - 1 : by, down = Math.floor(near);
   return [near ? (near - down > 0.5 ? down + 1 : down) : copysign(0, a / b), other ? left + b : signed(left, b)];
 };
-export const floordiv_ = (a, b) => floats(Number(a), divisor(Number(b), "float floor division by zero"))[0];
-export const mod_ = (a, b) => floats(Number(a), divisor(Number(b), "float modulo"))[1];
+export const floordiv_ = (a, b) => floats(Number(a), divisor(Number(b)))[0];
+export const mod_ = (a, b) => floats(Number(a), divisor(Number(b)))[1];
 export const divmod = (a, b) => [floordiv(a, b), mod(a, b)];
-export const divmod_ = (a, b) => floats(Number(a), divisor(Number(b), "float divmod()"));
+export const divmod_ = (a, b) => floats(Number(a), divisor(Number(b)));
 const shift = (by) => (by < 0 ? refuse(ValueError, "negative shift count") : by);
 export const shl = (a, b) => wholly((x, y) => x * 2 ** y, (x, y) => x << y)(a, shift(b));
 export const shr = (a, b) => wholly((x, y) => (y > 1023 ? -(x < 0) : Math.floor(x / 2 ** y)), (x, y) => x >> y)(a, shift(b));

@@ -1,6 +1,7 @@
 """Small programs, ours and of CPython's own tests: each gives what it gives in Python, or is refused."""
 
 import re
+import sys
 import warnings
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,6 +21,13 @@ def test_kinds_that_look_alike_in_both_languages(tmp_path: Path) -> None:
     found = tried({name: source for name, _, source in kinds}, tmp_path)
     assert {name: each[:2] for name, each in found.items() if each.differs} == {}
     assert {name: each.place for name, each in found.items()} == {name: place for name, place, _ in kinds}
+
+
+@pytest.mark.skipif(sys.version_info < (3, 15), reason="this syntax came with Python 3.15")
+def test_what_is_unpacked_in_a_comprehension_is_refused(tmp_path: Path) -> None:
+    for made in ("[*a for a in b]", "[*(*a for a in b)]", "{*a for a in b}", "{**{1: a} for a in b}"):
+        found = tried({"one": f"def main() -> str:\n    b = [[1], [2]]\n    return str({made})\n"}, tmp_path)
+        assert found["one"].place == "in line 3", made
 
 
 @pytest.mark.slow("translates 5,000 programs")
