@@ -33,6 +33,9 @@ class Halt(NamedTuple):
     breakpoints: tuple[int, ...] = ()
 
 
+_OWN = Halt("breakpoint", "at break or watch of the console")
+
+
 def _at(points: Sequence[Point]) -> Halt:
     """Return the stop at breakpoints."""
     return Halt(points[0].kind, "", tuple(point.number for point in points))
@@ -135,9 +138,14 @@ class Debuggee:
     def back_to(self, look: motion.Look) -> Halt:
         """Undo as far as the last breakpoint, else all; `look` as in rewind.until_stopped."""
         points, machine, watched = self.breakpoints, self.monitor.machine, Watch()
+        self.put_points()
         points.put_into(watched)
+        watched.breakpoints |= self._own[0]
+        watched.writes |= self._own[1]
 
         def stops(of_words: bool) -> bool:
+            if self._own[1] & machine.watch.written if of_words else self._own[0] & reached(machine):
+                return True
             return any((point.kind == DATA) == of_words for point in points.stopped(machine))
 
         stopped = motion.back_to(self.monitor.history, watched, stops, look)
@@ -145,6 +153,8 @@ class Debuggee:
         if not stopped:
             return Halt("entry", "here the history begins")
         code = [point for point in points.stopped(machine) if point.kind != DATA]
+        if self._own[0] & reached(machine) and not code:
+            return _OWN
         return _at(code) if code else Halt(DATA)
 
     def stands(self) -> Halt:
@@ -183,7 +193,7 @@ class Debuggee:
         if found := [point for point in points if point.stops(machine.instructions, self.said)]:
             return _at(found)
         if self._own[0] & reached(machine) or self._own[1] & machine.watch.written:
-            return Halt("breakpoint", "stopped by break or watch of the console")
+            return _OWN
         return None
 
     def sources_changed(self) -> None:

@@ -270,6 +270,9 @@ def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_pat
         *("breakpoint 204", "breakpoint 202", "function breakpoint 200", "breakpoint 204", "step 201")
     ]
     assert (console("break"), console("watch")) == ("0200 0203", "0205")
+    back = [(debuggee.back_to(lambda _: None).reason, f"{monitor.machine.pc:o}") for _ in range(4)]
+    assert back == [("breakpoint", "204"), (ADDRESSES, "200"), (DATA, "201"), ("breakpoint", "204")]
+    stops("run", "run", "run", "over")
     console("forget")
     assert stops("over", "run") == ["step 202", "function breakpoint 200"]
     assert console("break") == "0200"
