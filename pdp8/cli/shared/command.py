@@ -83,7 +83,7 @@ def say_of(file: str, notes: Iterable[str]) -> None:
 def echo(text: str, nl: bool = True) -> None:
     """Write on standard output; a terminal is shown control codes, and one that is closed ends nothing."""
     try:
-        click.echo(visible(text) if sys.stdout.isatty() else text, nl=nl)
+        click.echo(visible(text) if sys.stdout.isatty() else text, nl=nl, color=True)  # takes nothing out
     except OSError as error:
         if error.errno not in (errno.EPIPE, errno.EIO):
             raise

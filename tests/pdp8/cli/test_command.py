@@ -168,3 +168,15 @@ def test_control_codes_are_shown_as_pictures_or_escapes() -> None:
         plain = category(character) not in ("Cc", "Cn", "Cs") or character in "\t\n"
         assert (visible(character) == character) == plain, ascii(character)
     assert visible("\0\x1b\x7f\x80\x9f\ufffe\uffff\udcff") == r"␀␛␡\x80\x9f\ufffe\uffff\udcff"
+
+
+@pytest.mark.parametrize("terminal", [False, True])
+def test_a_terminal_is_shown_the_control_codes_that_a_file_is_given(
+    terminal: bool, monkeypatch: pytest.MonkeyPatch, capsysbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: terminal)
+    command.put("-", "A\x1b[2J\n")
+    command.echo("B\x1b[2J")
+    assert capsysbinary.readouterr().out == b"A\x1b[2J\nB\x1b[2J\n".replace(
+        b"\x1b", "␛".encode() if terminal else b"\x1b"
+    )
