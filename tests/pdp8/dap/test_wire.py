@@ -209,13 +209,17 @@ def test_a_command_that_moves_the_machine_is_not_stopped_by_what_was_used_before
         assert stops == ["entry", "data breakpoint", "data breakpoint", *reasons], lines
 
 
-def test_a_program_that_waits_is_told_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_a_program_that_waits_is_told_once_and_again_after_continue(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     """However often the editor asks something meanwhile: here the machine runs between any two requests."""
     monkeypatch.setattr(Wire, "holds", False)
     (tmp_path / "waits.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
     launch = ("launch", {"program": str(tmp_path / "waits.pal")})
-    heard = held(launch, ("configurationDone", {}), ("threads", {}), ("threads", {}))
-    assert [each["event"] for each in heard if "the program waits" in str(each)] == ["output"]
+    then: list[tuple[str, dict[str, Any]]] = [("threads", {}), ("threads", {}), ("pause", {"threadId": 1})]
+    heard = held(launch, ("configurationDone", {}), *then, ("continue", {"threadId": 1}), *then)
+    assert [each["event"] for each in heard if "the program waits" in str(each)] == ["output"] * 2
+    assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == ["pause"] * 2
 
 
 def test_what_has_no_word_of_core_is_not_watched(tmp_path: Path) -> None:
@@ -273,19 +277,6 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
     assert len(said) == len(asked)
     for (name, _, expected), message in zip(asked, said, strict=True):
         assert (expected in message) if expected else message == "", f"{name}: {message}"
-
-
-def test_after_continue_the_program_is_told_to_wait_again(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    monkeypatch.setattr(Wire, "holds", False)
-    (tmp_path / "waits.pal").write_text("*200\n\tKSF\n\tJMP .-1\n\tHLT\n$\n")
-    launch = ("launch", {"program": str(tmp_path / "waits.pal")})
-    thread = {"threadId": 1}
-    begun: tuple[str, dict[str, Any]] = ("configurationDone", {})
-    heard = held(launch, begun, ("pause", thread), ("continue", thread), ("pause", thread))
-    assert len([each for each in heard if "the program waits" in str(each.get("body"))]) == 2
-    assert [each["body"]["reason"] for each in heard if each.get("event") == "stopped"] == ["pause", "pause"]
 
 
 @pytest.mark.parametrize(
