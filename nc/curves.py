@@ -290,7 +290,7 @@ def curve(nominal: Nominal, cutter: float) -> Curve:
         return Ellipse(x, y, thousandths[2], thousandths[-1], beside)
     if nominal.kind == "function":
         return Graph(x, y, nominal.expression, nominal.numbers[2], nominal.numbers[3], beside)
-    if nominal.expression:
+    if nominal.expression or not nominal.points:
         radius = function(nominal.expression)
         angles = [2 * pi * place / _PLACES for place in range(_PLACES)]
         places = [(radius(angle) * cos(angle), radius(angle) * sin(angle)) for angle in angles]

@@ -7,7 +7,10 @@ from zlib import crc32
 
 import pytest
 
+from tests.conftest import case
+from tests.options import inputs
 from tests.options.pairs import ACT, HIDDEN, REFUSED, Pair, declared, pairs, tried
+from tests.options.trial import outcome
 
 OF_EVERY_PART = frozenset(declared()["part circle"])
 
@@ -18,6 +21,17 @@ def test_an_option_acts_or_is_refused_alone_and_beside_another(part: int) -> Non
     found = {pair: tried(pair) for pair in some if not of_the_circle_too(pair)}
     assert {pair: how for pair, how in found.items() if how not in (ACT, REFUSED, HIDDEN)} == {}
     assert REFUSED in found.values()
+
+
+@pytest.mark.slow("10 s")
+def test_an_empty_value_is_no_fault_of_ours() -> None:
+    """As a script's unset variable gives it: an exception that is no message is raised here."""
+    for command in inputs.CALLS:
+        for option in (each for each in declared()[command] if each.startswith("--")):
+            if not of_the_circle_too(Pair(command, (option,))):
+                with case(command, option):
+                    line = f"{command} {inputs.CALLS[command][0]} {option}="
+                    outcome(line, inputs.FILES, inputs.STDIN.get(command, b""))
 
 
 def of_the_circle_too(pair: Pair) -> bool:
