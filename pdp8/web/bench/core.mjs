@@ -36,10 +36,12 @@ export class Core {
 
   /** Run until what the form asks for. */
   runUntil() {
-    const { bench } = this;
+    const { bench } = this, kind = find("kind").value, where = parseInt(find("where").value || "0", 8);
     bench.afternoon.takeOver();
+    const { machine, machine: { memory } } = bench;
+    if (/address|word/.test(kind) && where >= memory) return bench.say(`no word ${octal(where)}: core ends at ${octal(memory - 1)}`);
     bench.aim(); // the goal before may watch the same word
-    bench.time.run(until(bench.machine, find("kind").value, parseInt(find("where").value || "0", 8) & (bench.machine.memory - 1)));
+    bench.time.run(until(machine, kind, where));
   }
 
   set(/** @type {HTMLInputElement} */ cell) {

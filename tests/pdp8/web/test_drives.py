@@ -74,22 +74,21 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
 
 
 _WRITTEN = """async (act) => {
-  const { drives } = workbench, saved = [], reel = new Uint8Array(380292), { download } = workbench;
+  const { drives } = workbench, saved = [];
   const asks = () => !dispatchEvent(new Event("beforeunload", { cancelable: true }));
   workbench.download = (name, content) => saved.push(name) && (window.last = content);
-  for (const [unit, name] of ["a", "b"].entries()) {
-    drives.mount(name, reel.with(0, unit));
+  ["a", "b"].forEach((name, unit) => {
+    drives.mount(name, new Uint8Array(380292).fill(unit, 0, 1));
     workbench.touch(() => drives.control.drives[unit].write(6, 1, 0o1234));
-  }
+  });
   drives.save({ value: "0" });
-  const before = asks();
+  const found = [asks()];
   await (0, eval)(`workbench.${act}`);
-  const found = [before, saved.join(" "), asks()];
+  found.push(saved.join(" "), asks());
   if (workbench.room.open) workbench.room.leave();
-  const units = [0, 1].map((unit) => `${drives.called(unit)}${drives.unsaved(unit) ? "!" : ""}`);
-  for (const value of drives.control ? ["0", "1"] : []) drives.takeOff({ value });
-  workbench.download = download;
-  return [...found, ...units];
+  found.push(...[0, 1].map((unit) => `${drives.called(unit)}${drives.unsaved(unit) ? "!" : ""}`));
+  for (const value of drives.control ? "01" : "") drives.takeOff({ value });
+  return found;
 }"""
 _EXCHANGED = """take((workbench.save(), new File(
   [last.replace(/"drive([01])"/g, (_, unit) => `"drive${1 - unit}"`)], "x.state")))"""

@@ -47,14 +47,6 @@ def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
     assert page.evaluate("workbench.afternoon.on")
 
 
-def test_a_breakpoint_is_not_the_afternoons(page: Page) -> None:
-    """What was marked at the visitor's own machine does not hold up the afternoon."""
-    page.evaluate("workbench.editor.run(); workbench.editor.mark({ value: 0o200 })")
-    assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [0o200]
-    page.evaluate("workbench.afternoon.back()")
-    assert page.evaluate("[...workbench.machine.watch.breakpoints]") == []
-
-
 def test_a_machine_that_waits_has_no_speed(page: Page) -> None:
     _run(page, "*200\n\tKSF\n\tJMP .-1\n$\n")
     until(page, "workbench.machine.waiting.endless")
