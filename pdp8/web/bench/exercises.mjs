@@ -152,10 +152,11 @@ export class Exercises {
 
   /** Let the machine run from START to the place where the program goes wrong in a case; from there one can go back. */
   async where(/** @type {HTMLInputElement} */ { value }) {
-    const { apart, editor } = this.bench;
+    const { apart, editor, machine } = this.bench;
     if (editor.text !== this.marked) return this.bench.say("This is not what was marked: mark it again");
     try {
       const { says, state, until } = await apart.ask("located", [this.all.get(this.name), editor.name, editor.text, value], SECONDS);
+      if (machine !== this.bench.machine) return; // another has come meanwhile
       this.bench.lead(state, until, `${value}: ${says}`);
       editor.area.blur();
       editor.write();

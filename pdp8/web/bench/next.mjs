@@ -18,7 +18,7 @@ export function next(/** @type {Pick<Bench, "machine" | "why" | "stop">} */ { ma
   if (!processor.run) return standing(machine, sentence(why || "The machine is stopped"));
   if (!waiting.endless) return ["The program runs.", [STOP]];
   const waits = stop.reason === "tape out" ? waits_for(machine) : stop.why;
-  return [sentence(why || "The program waits"), [...hands(machine, waits).map((hand) => HANDS[hand]), STOP]];
+  return [sentence(why || "The program waits"), [...(out("teletype") ? [] : hands(machine, waits).map((hand) => HANDS[hand])), STOP]];
 }
 
 /** Words with a full stop. */

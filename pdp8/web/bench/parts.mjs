@@ -124,11 +124,12 @@ export class Parts {
   }
 
   async punch() {
-    const { part, typed, bench } = this;
+    const { part, typed, bench, bench: { machine } } = this;
     find("part-translate").disabled = find("part-cut").disabled = true;
     find("part-translated").textContent = find("part-is-cut").textContent = "";
     try {
       const text = await bench.apart.ask("printout", [part, typed], SECONDS);
+      if (machine !== bench.machine) return; // another has come meanwhile
       const tape = encode(text);
       this.name = bench.shelf.put(`${part.name}.asc`, tape);
       bench.teletype.mount(this.name);

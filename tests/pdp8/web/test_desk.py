@@ -234,8 +234,15 @@ _REFUSED = """(refused) => {
 }"""
 
 
+_ANSWERED = """() => {
+  const { apart, drives, machine } = workbench, state = drives.bare(machine);
+  const made = { booted: { state, said: "" }, located: { says: "", state, until: 0 }, printout: "1\\n" };
+  apart.ask = async (what, ...given) => made[what] ?? window.ask.call(apart, what, ...given);
+}"""
+
+
 def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
-    """Whatever is asked; and nowhere once something else was opened meanwhile."""
+    """Whatever is asked; and nowhere once something else was opened; nor is another machine touched."""
     sources = "".join(file.read_text() for file in (Path(shelf.__file__).parent / "web").glob("bench/*.mjs"))
     assert set(re.findall(r'\bask\("(\w+)"', sources)) == set(_ASKS)
     page.wait_for_timeout(600)  # what is open at first has been looked at
@@ -253,6 +260,12 @@ def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
                 until(page, refused)
             page.locator(place).evaluate("(it, later) => { if (later) it.textContent = ''; }", bool(then))
             page.wait_for_timeout(300)
+    page.evaluate(_ANSWERED)
+    for asks, _, _ in _ASKS.values():
+        page.evaluate(f"() => {{ workbench.{asks}; workbench.enter(); }}")
+        page.wait_for_timeout(200)
+        assert page.evaluate("workbench.room.open && workbench.afternoon.on"), asks
+        page.evaluate("workbench.room.leave()")
 
 
 _DONE = (
