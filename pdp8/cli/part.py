@@ -1,6 +1,7 @@
 """`pdp8 part`: each part program as a command whose options are its constants."""
 
 import os
+import re
 from collections.abc import Callable
 from itertools import zip_longest
 from typing import Any, Literal
@@ -21,7 +22,22 @@ from tapes.errors import WorkError, naming
 from tapes.nominal import Nominal
 from tapes.text import lines_of
 
+_MINUS = re.compile(r"-[^-oh]")
 _SETTINGS = {"max_content_width": 100}
+
+
+class _Program(Command):
+    """A part program, whose expression may begin with a minus."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put a space before a minus that begins neither an option nor the value of one."""
+        before = ["", *args]
+        if any(isinstance(param, click.Argument) for param in self.params):
+            args = [
+                f" {each}" if _MINUS.match(each) and not before[at].startswith(("--", "-o")) else each
+                for at, each in enumerate(args)
+            ]
+        return super().parse_args(ctx, args)
 
 
 class _Parts(Group):
@@ -82,7 +98,7 @@ def _command(part: Part) -> click.Command:
         if is_file and (nominal := part.nominal(arguments(program, values))):
             _put_beside(output, nominal._replace(source=f"pdp8 part {part.name} {source}".strip()), text)
 
-    made = Command(
+    made = _Program(
         part.name,
         callback=punch,
         params=part_options.parameters(program, bool(part.file))

@@ -44,7 +44,8 @@ def explained(program: Callable[..., str]) -> str:
 
 def _parameter(constant: Constant, file: bool) -> click.Parameter:
     if constant.default is REQUIRED:
-        return click.Argument([constant.name], type=Source() if file else str)
+        taken = Source() if file else str
+        return click.Argument([constant.name], type=taken, callback=lambda _, __, given: given.strip())
     names = [f"--{constant.spelling}", constant.name]
     needs, excludes = (
         " ".join(f"--{word}" for word in words.split()) for words in (constant.needs, constant.excludes)
