@@ -14,9 +14,7 @@ from tapes.expression import LANGUAGE, function
 
 
 def part(
-    expression: Annotated[
-        str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same; write 0-x for -x at the start"
-    ],
+    expression: Annotated[str, f"y as a function of x, inches: {LANGUAGE}; capitals are the same"],
     *,
     from_: Annotated[float, "X where it starts", INCHES] = 0.0,
     to: Annotated[float, "X where it ends", INCHES] = 4.0,
