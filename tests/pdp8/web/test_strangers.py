@@ -22,19 +22,6 @@ def test_a_new_program_is_written_over(page: Page) -> None:
     assert found == ["source", 0, len(page.evaluate("workbench.editor.text"))]
 
 
-def test_home_and_end_are_the_afternoons(page: Page) -> None:
-    """At the visitor's own machine they lead away from nothing."""
-    _run(page, "*200\n\tHLT\n$\n")
-    page.evaluate("workbench.time.focus()")
-    until(page, "!workbench.machine.processor.run")
-    for key in ("Home", "End"):
-        page.keyboard.press(key)
-        assert page.evaluate("[workbench.afternoon.on, workbench.machine.pc]") == [False, 0o201]
-    page.evaluate("workbench.afternoon.back()")
-    page.keyboard.press("End")
-    assert page.evaluate("workbench.afternoon.position === workbench.afternoon.script.end")
-
-
 def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
     """A program that is not run: that is seen beside what the afternoon says."""
     page.evaluate("workbench.afternoon.go(6e10)")
@@ -45,15 +32,6 @@ def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
         assert page.evaluate(f"{said}.className") == ""
         page.wait_for_timeout(200)  # longer than the afternoon waits before it says where it is
     assert page.evaluate("workbench.afternoon.on")
-
-
-def test_a_machine_that_waits_has_no_speed(page: Page) -> None:
-    _run(page, "*200\n\tKSF\n\tJMP .-1\n$\n")
-    until(page, "workbench.machine.waiting.endless")
-    page.evaluate("workbench.clock.measured = 2; workbench.show()")
-    assert page.evaluate(
-        "[workbench.machine.processor.run, document.getElementById('kept').textContent]"
-    ) == [1, ""]
 
 
 def test_a_touched_picture_asks_for_the_name(room: Page) -> None:

@@ -229,20 +229,6 @@ def test_a_key_presses_what_names_it(file: Path) -> None:
         assert page.evaluate(_NAMED) == [True, [0, 1, 1, 1, *range(2, 8), 7, 7], []]
 
 
-def test_the_lamps_are_said_after_every_key(page: Page) -> None:
-    """Also when the picture after it has come: the address, the word and the rest, not that it is stopped."""
-    page.locator("#computer .rocker").first.focus()
-    page.keyboard.type("w")
-    for keys, said in (
-        ("0200l", "memory address 0200, memory buffer 0000"),
-        ("1234d", "memory address 0200, memory buffer 1234"),
-        ("0200le", "memory address 0200, memory buffer 1234"),
-    ):
-        page.keyboard.type(keys)
-        page.wait_for_timeout(400)
-        assert said in page.locator("#computer .words p").inner_text()
-
-
 def test_tab_goes_through_the_page(page: Page) -> None:
     """And types nothing; it indents when somebody has begun to write, by Enter, click or character."""
     source, keys = page.locator("#source"), page.locator("#editor-keys")
