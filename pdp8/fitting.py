@@ -11,7 +11,7 @@ import os
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from traceback import extract_tb
+from traceback import walk_tb
 from types import ModuleType
 
 from pdp8.computer.hardware.bus import Device, Peripheral
@@ -122,8 +122,8 @@ def _device(file: str, name: str) -> type[Device]:
     try:  # not as an import, which would leave its bytecode in the user's folder
         exec(compile(Path(file).read_bytes(), path, "exec"), vars(module))
     except (Exception, SystemExit) as error:
-        lines = [frame.lineno for frame in extract_tb(error.__traceback__) if frame.filename == path]
-        line = getattr(error, "lineno", None) or (lines or [None])[-1]
+        lines = [line for at, line in walk_tb(error.__traceback__) if at.f_code.co_filename == path]
+        line = getattr(error, "lineno", None) or (lines[-1] if lines else 0)
         where = f", line {line}" if line else ""
         raise WorkError(f"{file}{where}: {type(error).__name__}: {error}") from error
     made = getattr(module, name, None)
