@@ -175,7 +175,11 @@ def test_a_file_is_counted_by_model_and_said_by_words(
     file.write_bytes(gzip.compress(("[\n" + ",\n".join(map(json.dumps, some)) + "\n]\n").encode()))
     assert runner.main(emulator(), [file], "8/E") == 0
     assert runner.main(emulator(), [file]) == 1
+    none = tmp_path / "none.json.gz"
+    none.write_bytes(gzip.compress(b"[\n]\n"))
+    assert runner.main(emulator(), [file, none]) == 1
     first, second, *said = capsys.readouterr().out.splitlines()
     assert first == "own.json.gz: 0 played, 0 differ in 0 words"
     assert second == "own.json.gz: 43 played, 42 differ in 21 words"
-    assert said == [f"  {name}: ticks is 32, not 33" for name in words[::2][: runner.SHOWN]]
+    shown = [f"  {name}: ticks is 32, not 33" for name in words[::2][: runner.SHOWN]]
+    assert said == [*shown, second, *shown, "none.json.gz: 0 played, 0 differ in 0 words"]
