@@ -535,6 +535,8 @@ def _check_options(
     for device, name in reels_out.items():
         if device not in reels_in:
             raise click.UsageError(f"{device[2:]}={name}: no tape is mounted on drive {device[2:]}.")
+        if name == "-":
+            raise click.UsageError(f"{device}: standard output has the punched tape; name a file.")
         Target("image").check(name)
 
 

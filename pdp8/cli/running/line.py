@@ -84,9 +84,12 @@ class Tcp(Line):
         self._telnet = b""
         self._returned = False
         """Whether the last frame was RETURN."""
+        host = host or "127.0.0.1"
+        bare = host.removeprefix("[").removesuffix("]")
+        family = socket.AF_INET6 if ":" in bare else socket.AF_INET
         with failing(f"tcp:{address}"):
-            self._server = socket.create_server((host or "127.0.0.1", int(port)))
-        command.say(f"listens on {host or '127.0.0.1'}:{port}, {bits} bits; Ctrl-C stops")
+            self._server = socket.create_server((bare, int(port)), family=family)
+        command.say(f"listens on {host}:{port}, {bits} bits; Ctrl-C stops")
 
     def close(self) -> None:
         """Close the port, and give who is there five seconds to take the last frames."""

@@ -263,18 +263,22 @@ def test_a_line_has_what_is_printed_until_the_program_halts() -> None:
         assert (stop.reason, bytes(line.sent)) == (Reason.HALT, b"A" if bits == 7 else b"\xc1")
 
 
+@pytest.mark.parametrize(("host", "bare"), [("localhost", "localhost"), ("[::1]", "::1")])
 def test_a_tcp_port_of_8_bits_has_an_address_and_doubles_what_is_telnets(
-    capsys: pytest.CaptureFixture[str],
+    host: str, bare: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with socket.socket() as free:
-        free.bind(("localhost", 0))
+    with socket.socket(socket.AF_INET6 if ":" in bare else socket.AF_INET) as free:
+        try:
+            free.bind((bare, 0))
+        except OSError:
+            pytest.skip("no IPv6 here")
         port = free.getsockname()[1]
     with click.Context(click.Command("run")):
-        line = opened(f"tcp:localhost:{port}", 8)
-    assert capsys.readouterr().err == f": listens on localhost:{port}, 8 bits; Ctrl-C stops\n"
-    with socket.create_connection(("localhost", port)) as rude:  # it leaves before it is looked at
+        line = opened(f"tcp:{host}:{port}", 8)
+    assert capsys.readouterr().err == f": listens on {host}:{port}, 8 bits; Ctrl-C stops\n"
+    with socket.create_connection((bare, port)) as rude:  # it leaves before it is looked at
         rude.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
-    with closing(line), socket.create_connection(("localhost", port)) as client:
+    with closing(line), socket.create_connection((bare, port)) as client:
         client.settimeout(20)
         assert [line.received(20) for _ in range(3)] == [b""] * 3
         line.send(0o377)
