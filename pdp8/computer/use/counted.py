@@ -5,14 +5,15 @@ from collections.abc import Iterator
 from pdp8.computer.count import Count
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.use.trace import Listing
-from tapes.quantities import duration, ranges
+from tapes.quantities import counted, duration, ranges
 
 _COLUMN = 12
 
 
 def table(count: Count, listing: Listing) -> Iterator[str]:
     """Yield the lines of a table for people."""
-    yield f"{count.instructions:,} instructions, {count.cycles:,} cycles, {_time(count.ticks)}"
+    done, cycles = counted(count.instructions, "instructions"), counted(count.cycles, "cycles")
+    yield f"{done}, {cycles}, {_time(count.ticks)}"
     share = 100 * count.waiting / count.ticks if count.ticks else 0
     yield f"waiting {share:.2f} %, {_time(count.waiting)}"
     if count.interrupts:
