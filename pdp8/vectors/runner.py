@@ -138,6 +138,8 @@ if __name__ == "__main__":
     arguments = parser.parse_intermixed_args()
     sys.path.insert(0, "")
     module, _, name = arguments.emulator.partition(":")
+    if not name:
+        parser.error(f"{module}: MODULE:EMULATOR is needed, as in mine:Mine")
     emulator = getattr(importlib.import_module(module), name)()
     files = arguments.files or sorted(Path(__file__).parent.glob("*.json.gz"))
     sys.exit(main(emulator, files, arguments.model))

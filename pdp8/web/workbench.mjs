@@ -254,7 +254,7 @@ export class Bench {
         this.#tape(this.shelf.put(name, tape));
         this.say(`${name}: ${note}`);
       } else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
-      else if (text.startsWith("{")) this.#written(name, JSON.parse(text), text);
+      else if (text.trimStart().startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (/\.toml$/i.test(name)) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
       else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);

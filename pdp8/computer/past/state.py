@@ -150,7 +150,7 @@ def _fitted(
 def _parsed(text: str) -> dict[str, Any]:
     """Return the JSON object of a saved state."""
     begins = f"a saved state begins with {json.dumps(HEAD)[:-1]}"
-    if not text.startswith("{"):
+    if not text.lstrip().startswith("{"):
         raise StateError(begins)
     try:
         state: dict[str, Any] = json.loads(text)

@@ -92,6 +92,11 @@ def test_the_first_result_of_the_readme(folder: Path, toy: Path) -> None:
         0,
         "tad.json.gz: 4096 played, 0 differ in 0 words\n",
     )
+    status, said = in_folder(toy, sys.executable, folder / "runner.py", "mine")
+    assert (status, said.splitlines()[-1]) == (
+        2,
+        "runner.py: error: mine: MODULE:EMULATOR is needed, as in mine:Mine",
+    )
     compile_c(toy / "runner", f"-I{folder}", folder / "runner.c", toy / "mine.c", toy / "toy.c")
     status, said = in_folder(toy, "bash", "-c", f"gzip -dc {tad} | ./runner")
     assert (status, said) == (0, "4096 played, 0 differ in 0 words\n")

@@ -228,6 +228,7 @@ def test_the_debugger_says_it(death: Death, tmp_path: Path) -> None:
 
 
 _ON_THE_PAGE = """async (deaths) => {
+  globalThis.document = { getElementById: () => ({ classList: { contains: () => false } }) }; // all are
   const { assemble } = await import("@/pal/assembling.mjs");
   const { Machine } = await import("@/pdp8/computer/machine.mjs");
   const { one_of_each } = await import("@/pdp8/computer/hardware/devices.mjs");
