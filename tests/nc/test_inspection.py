@@ -226,7 +226,7 @@ def test_a_wide_cutter_leaves_no_wall_within_a_bend() -> None:
 
     y = x² is .5 (1 + 4x²)^1.5 in round, its centre above.
     """
-    for cutter, without in ((3470, 0), (3502, 1)):
+    for cutter, without in ((3480, 0), (3481, 1)):
         found = inspect(nc.cut(CIRCLE), cutter=cutter)
         assert (found.without, found.uncut) == ({"outer": 0, "inner": without}, 0)
         assert {each.wall for each in found.readings} == {"outer"} | ({"inner"} if not without else set())

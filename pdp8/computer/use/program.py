@@ -120,9 +120,9 @@ def _assembled(sources: Sequence[bytes], names: Sequence[str], dialect: str, mem
         raise WorkError("nothing but figures: no program, but a tape for the reader")
     assembly = assemble(*sources, names=[called(name) for name in names], dialect=dialect)
     if not assembly.ok:
-        for source in sources:
+        for source, name in zip(sources, names, strict=True):
             if titled := codes.ASCII.titled(source, "source"):
-                raise WorkError(titled)
+                raise WorkError(f"{called(name)}: " * (len(names) > 1) + titled)
         errors = [str(diagnostic) for diagnostic in assembly.diagnostics if diagnostic.error]
         more = [f"and {len(errors) - _SHOWN:,} more: `pal` shows them, with its notes"] * (
             len(errors) > _SHOWN

@@ -68,6 +68,8 @@ def test_every_command_holds_its_options_to_their_rules(path: str) -> None:
     assert isinstance(found, Command) or not found.params
     params = found.get_params(click.Context(found))
     known = {word for param in params for word in rules.words(param)}
+    sized = [param.type for param in params if param.name == "memory"]
+    assert not any(getattr(each, "case_sensitive", False) for each in sized), "8K is 8k too"
     declared = [
         getattr(param, rule, None) or "" for param in params for rule in ("needs", "excludes", "only")
     ]

@@ -4,7 +4,7 @@ import pytest
 
 from pdp8 import shelf
 from pdp8.computer.use import program
-from tapes import binary, codes, rim
+from tapes import ascii, binary, codes, rim, title
 from tapes.errors import WorkError
 
 WORDS = {0o200: 0o7001, 0o201: 0o7402}
@@ -77,3 +77,13 @@ def test_the_first_of_many_errors_are_shown_and_all_counted() -> None:
 def test_force_loads_no_tape_without_a_word() -> None:
     with pytest.raises(WorkError, match="no word in it goes into core; frame 66: the tape is cut short"):
         program.read(binary.encode(WORDS)[:66], "x", force=True)
+
+
+def test_of_several_tapes_the_one_with_a_title_is_named() -> None:
+    titled = title.punch("TWO") + ascii.encode("HLT\n$\n")
+    for tapes, said in (
+        ([b"*200\n", titled], "^1 2: 2: frame 0: a title"),
+        ([titled], "^1: frame 0: a title"),
+    ):
+        with pytest.raises(WorkError, match=said):
+            program.read_sources(tapes, ["1", "2"][: len(tapes)])
