@@ -263,8 +263,8 @@ def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_pat
         return str(scopes.evaluate(debuggee, {"expression": line, "context": "repl"})["result"])
 
     debuggee.breakpoints.put(monitor, debuggee.places, ADDRESSES, "", [("L", {"name": "L"})])
-    console("break S")
     console("watch N")
+    console("break S")
     ran = stops("over", "run", "run", "run", "over")
     assert ran == [
         *("breakpoint 204", "breakpoint 202", "function breakpoint 200", "breakpoint 204", "step 201")
@@ -278,6 +278,13 @@ def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_pat
     assert console("break") == "0200"
     debuggee.breakpoints.put(monitor, debuggee.places, ADDRESSES, "", [("S", {"name": "S"})])
     assert stops("over") == ["function breakpoint 204"]
+    debuggee.breakpoints.put(monitor, debuggee.places, ADDRESSES, "", [])
+    monitor.machine.start(0o200)
+    assert debuggee.over() is None
+    debuggee.pause()  # the step's goal, 0201, is given up
+    console("break 202")
+    console("cont")
+    assert monitor.machine.pc == 0o202
 
 
 def test_a_machine_that_is_stopped_says_at_what(tmp_path: Path) -> None:

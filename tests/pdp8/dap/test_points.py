@@ -100,17 +100,20 @@ def test_an_expression_is_watched_and_set(folder: Path) -> None:
         ["completions", {"text": "exa", "column": 4}],
         ["completions", {"text": "examine L", "column": 10}],
         ["completions", {"text": "examine L", "column": 9}],
+        ["completions", {"text": "examine I", "column": 10}],
         ["gotoTargets", {"source": {"path": (folder / "counts.pal").as_uri()}, "line": 4}],
         ["goto", {"threadId": 1, "targetId": 0o203}, "stopped"],
         console("PC"),
     )
-    value, word, refused, commands, names, before, targets, moved, pc = seen.answers[3:]
+    value, word, refused, commands, names, before, fields, targets, moved, pc = seen.answers[3:]
     assert value["body"]["result"] == "0001"
     assert "0017" in word["body"]["value"]
     assert "77777" in refused["error"]
     assert commands["body"]["targets"] == [{"label": "examine"}]
     assert {each["label"] for each in names["body"]["targets"]} == {"LINK", "L"}
     assert {"AC", "N"} < {each["label"] for each in before["body"]["targets"]}, "all: nothing is typed yet"
+    shown = {each["label"] for each in fields["body"]["targets"]}
+    assert not shown & {"IF", "IB"}, "they are of 8K"
     assert targets["body"]["targets"] == [{"id": 0o202, "label": "0202", "line": 4}]
     assert moved["event"]["reason"] == "goto"
     assert pc["body"]["result"] == "0203"
