@@ -9,7 +9,7 @@ import pytest
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
-from pdp8.monitor import rack
+from pdp8.monitor import rack, simh
 from pdp8.monitor.commands import do
 from pdp8.monitor.prompt import Monitor
 from pdp8.reels import Discs, Reel
@@ -166,6 +166,15 @@ def test_what_nobody_saved_is_left_beside(monitor: Monitor, full: int, place: st
     with patch.object(shelf, "write", failing(full)), patch("tempfile.tempdir", "tmp"):
         rack.leave(monitor)
     assert dectape.decode(Path(place).read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
+
+
+def test_a_reel_is_left_beside_its_file_where_a_punched_tape_cannot_be_written(monitor: Monitor) -> None:
+    do(monitor, "attach ptp out")
+    monitor.machine.teletype.punch.frames += b"Y"
+    Path("out").mkdir()
+    with pytest.raises(WorkError, match="out"):
+        simh.leave(monitor)
+    assert Path("reel-changed.tu56").exists()
 
 
 def test_an_image_is_no_program(call: Call) -> None:

@@ -202,7 +202,9 @@ def test_numbers_are_right_by_value_and_unit_and_texts_by_what_matters(
 def test_a_wrong_unit_is_told() -> None:
     (question,) = parse(f"{SHEET}answer=43.2\nunit='us'\nslips={{ '27' = 'cycles' }}\n", "e").questions
     assert question.points == 1
-    assert [values.hint(question, given) for given in ("43.2 ms", "43.2?")] == [values.WRONG_UNIT] * 2
+    assert [values.hint(question, given) for given in ("43.2 ms", "43.2?", "(43.2) ms")] == [
+        values.WRONG_UNIT
+    ] * 3
     assert [values.hint(question, given) for given in ("27.0", "27", "28")] == ["cycles", "cycles", ""]
 
 
