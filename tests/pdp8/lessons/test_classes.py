@@ -244,15 +244,16 @@ def test_an_answer_that_takes_too_much_memory_is_ended(monkeypatch: pytest.Monke
 def test_memory_is_bounded_within_the_bounds_that_there_are(monkeypatch: pytest.MonkeyPatch) -> None:
     import resource
 
+    none = resource.RLIM_INFINITY  # -1, or since Python 3.15 the largest number
     bounds: list[tuple[int, int]] = []
     monkeypatch.setattr(resource, "setrlimit", lambda _, pair: bounds.append(pair))
-    for there in ((1 << 20, 1 << 21), (1 << 20, -1), (-1, 1 << 20), (-1, -1)):
+    for there in ((1 << 20, 1 << 21), (1 << 20, none), (none, 1 << 20), (none, none)):
         monkeypatch.setattr(resource, "getrlimit", lambda _, there=there: there)
         bounded._bound_memory()
-    assert bounds[:3] == [(1 << 20, 1 << 21), (1 << 20, -1), (1 << 20, 1 << 20)]
+    assert bounds[:3] == [(1 << 20, 1 << 21), (1 << 20, none), (1 << 20, 1 << 20)]
     words = Path("/proc/self/status").read_text().split()
     more = bounds[3][0] - 1024 * int(words[words.index("VmSize:") + 1])
-    assert (round(more / (1 << 20)), bounds[3][1]) == (512, -1)
+    assert (round(more / (1 << 20)), bounds[3][1]) == (512, none)
     assert "512 MiB of memory" in bounded._fault(-9, 1), "killed by the system"
 
 
