@@ -29,7 +29,7 @@ from pathlib import Path
 from zipfile import ZipFile
 
 HOUSE = Path(__file__).parent.parent
-PYTHONS = ("3.11", "3.12", "3.13", "3.14")
+PYTHONS = ("3.11", "3.12", "3.13", "3.14", "3.15")
 SCRIPT = re.compile(r"```python\n(.*?)```", re.DOTALL)
 """The first one of docs/python.md."""
 
