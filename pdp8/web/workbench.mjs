@@ -201,6 +201,13 @@ export class Bench {
     this.show();
   }
 
+  /** Whether an address is beyond core; then say that there is no such `what`. */
+  lacks(/** @type {string} */ what, /** @type {number} */ address) {
+    const { memory } = this.machine, beyond = address >= memory;
+    if (beyond) this.say(`no ${what} ${octal(address)}: core ends at ${octal(memory - 1)}`);
+    return beyond;
+  }
+
   /** Say something to who listens; what all should know is `seen` too, until the machine is touched. */
   tell(/** @type {unknown} */ words, seen = false) {
     if (seen) this.afternoon.hush();

@@ -38,10 +38,9 @@ export class Core {
   runUntil() {
     const { bench } = this, kind = find("kind").value, where = parseInt(find("where").value || "0", 8);
     bench.afternoon.takeOver();
-    const { machine, machine: { memory } } = bench;
-    if (/address|word/.test(kind) && where >= memory) return bench.say(`no word ${octal(where)}: core ends at ${octal(memory - 1)}`);
+    if (/address|word/.test(kind) && bench.lacks("word", where)) return;
     bench.aim(); // the goal before may watch the same word
-    bench.time.run(until(machine, kind, where));
+    bench.time.run(until(bench.machine, kind, where));
   }
 
   set(/** @type {HTMLInputElement} */ cell) {

@@ -22,7 +22,7 @@ const FULL = 9, HUB = 4; // radii of a reel with the whole tape, and with none
 const radius = (on) => Math.sqrt(HUB ** 2 + on * (FULL ** 2 - HUB ** 2));
 
 /** @type {(machine: Machine | null) => TC08 | undefined} The DECtape control of a machine that has one. */
-export const controlOf = (machine) => machine?.devices.find((each) => each instanceof TC08);
+const controlOf = (machine) => machine?.devices.find((each) => each instanceof TC08);
 /** @type {(drive: Transport) => string} What was written on a drive's reel. */
 const changes = (drive) => `${[...drive.changed]}`;
 

@@ -320,8 +320,8 @@ export class Editor {
   }
 
   #breakpoint(/** @type {number} */ address) {
-    const { bench, bench: { machine: { memory } } } = this;
-    if (address >= memory) return bench.say(`no breakpoint at ${octal(address)}: core ends at ${octal(memory - 1)}`);
+    const { bench } = this;
+    if (bench.lacks("breakpoint at", address)) return;
     bench.afternoon.takeOver();
     const { breakpoints } = bench.machine.watch;
     if (!breakpoints.delete(address)) breakpoints.add(address);
