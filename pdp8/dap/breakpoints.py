@@ -131,7 +131,7 @@ class Point:
 
 
 def reached(machine: Machine) -> set[int]:
-    """Return where a run comes to a breakpoint: at the next instruction and a JMS target just come to."""
+    """Return the addresses at which a breakpoint stops a run here: the PC, and after a JMS its target."""
     p = machine.processor
     return {machine.pc, machine.ma} if p.state == EXECUTE and p.ir == JMS else {machine.pc}
 

@@ -180,9 +180,7 @@ def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
 def completions(debuggee: Debuggee, arguments: Body) -> Body:
     """Return completions for a console line: commands first, then registers and symbols."""
     begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
-    monitor = debuggee.monitor
-    extension = debugging.EXTENSION if monitor.machine.memory > FIELD else ()
-    known = [*debugging.REGISTERS, *extension, *monitor.listing.symbols]
+    known = [*_named(debuggee.monitor.machine), *debuggee.monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
     typed = begun[2].upper()
     found = [name if name in COMMANDS else name.upper() for name in names]
@@ -220,13 +218,17 @@ def _variables(monitor: Monitor, number: int) -> Iterator[Body]:
     return found[number](monitor) if number in found else _fields(monitor.machine, number)
 
 
+def _named(machine: Machine) -> list[str]:
+    """Return the names of a machine's registers."""
+    return [*debugging.REGISTERS, *(debugging.EXTENSION if machine.memory > FIELD else ())]
+
+
 def _registers(monitor: Monitor) -> Iterator[Body]:
     machine = monitor.machine
-    extended = machine.memory > FIELD
-    for name in (*debugging.REGISTERS, *(debugging.EXTENSION if extended else ())):
+    for name in _named(machine):
         refers = {"memoryReference": reference(getattr(machine, name))} if name in ("pc", "ma") else {}
         yield _variable(name.upper(), _register(machine, name), **refers)
-    for switch in (*debugging.SWITCHES, *(debugging.FIELDS if extended else ())):
+    for switch in (*debugging.SWITCHES, *(debugging.FIELDS if machine.memory > FIELD else ())):
         yield _variable(switch.upper().replace("_", " "), str(int(getattr(machine.panel, switch))))
 
 
