@@ -57,8 +57,8 @@ def monitor(script: str | None, highspeed: bool, device: tuple[str, ...], dialec
     at_terminal = script is None and sys.stdin.isatty()
     if echo and at_terminal:
         raise click.UsageError("--echo means nothing without SCRIPT.")
-    with ExitStack() as leaving:
-        leaving.callback(simh.leave, made)
+    with ExitStack() as stack:
+        stack.callback(simh.leave, made)
         if at_terminal:
             click.echo(f"PDP-8/L, {machine.memory // 1024}K. help tells what there is; quit leaves.")
             converse(made)
@@ -84,8 +84,8 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
     if sys.stdout.isatty():
         made.live, made.say = live, at.say
     told = terminal is not None
-    with ExitStack() as leaving:
-        leaving.callback(simh.take_off, made)
+    with ExitStack() as stack:
+        stack.callback(simh.take_off, made)
         for line in _typed():
             before = signal.signal(signal.SIGINT, lambda number, frame: setattr(made, "stopping", True))
             try:

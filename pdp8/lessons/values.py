@@ -120,7 +120,7 @@ def _summed(text: str, unit: str) -> list[float]:
 
 
 def _bare(text: str) -> str:
-    """Return a text without what may stand around a number, or says that it is about right."""
+    """Return a text without brackets, quotes, exclamation marks and signs for "about"."""
     for mark in "()[]`*!~\u2248":
         text = text.replace(mark, " ")
     return text
