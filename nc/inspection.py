@@ -50,6 +50,8 @@ _ALONG = 0.1
 _EVERY = 8
 _TURNS, _FINE = 50, 16
 """How many of the lowest and highest places are looked at closely, and into how many parts a step goes."""
+_DISC = 64
+"""So many points of a path that follow each other are within a small disc."""
 _PIECE = 10.0
 """Thousandths of a cut, from one place of the cutter's centre to the next."""
 
@@ -290,8 +292,31 @@ def _stands(stations: Stations, off: float, path: Floats) -> NDArray[np.bool_]:
     """Whether a wall so far `off` the curve remains after a cutter of that radius has gone along `path`."""
     some = np.unique(np.append(np.arange(0, len(stations), _EVERY), len(stations) - 1))
     wall = stations.points[some] + off * stations.normals[some]
-    left = np.isnan(_off(wall, _at(path), abs(off) - _LEFT))
+    left = ~_reached(wall, path, abs(off) - _LEFT)
     return np.asarray(np.interp(np.arange(len(stations)), some, left) == 1)
+
+
+def _reached(places: Floats, path: Floats, reach: float) -> NDArray[np.bool_]:
+    """Whether a point of the path (m, 2) is within `reach` of each of the places (n, 2), (n,).
+
+    A disc around some points that follow each other tells it of most places.
+    """
+    pieces = [path[first : first + _DISC] for first in range(0, len(path), _DISC)]
+    middles = np.array([(each.min(axis=0) + each.max(axis=0)) / 2 for each in pieces])
+    radii = np.sqrt([_squares(each, middle).max() for each, middle in zip(pieces, middles, strict=True)])
+    away = _squares(places[:, None], middles)
+    within = np.where(radii <= reach, (reach - radii) ** 2, -1)
+    found = np.asarray((away <= within).any(axis=1))
+    for piece, near in zip(pieces, (away <= (reach + radii) ** 2).T, strict=True):
+        unsure = np.flatnonzero(near & ~found)
+        found[unsure] = (_squares(places[unsure, None], piece) <= reach * reach).any(axis=1)
+    return found
+
+
+def _squares(one: Floats, other: Floats) -> Floats:
+    """Return the squares of the distances between points (..., 2)."""
+    x, y = one[..., 0] - other[..., 0], one[..., 1] - other[..., 1]
+    return x * x + y * y
 
 
 def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
@@ -304,7 +329,7 @@ def _to_edge(curve: Curve, measured: Walls, stations: Stations) -> Walls:
     )
     off = measured.by_name[measured.part_wall].copy()
     reach = 3 * float(np.abs(off[np.isfinite(off)]).max(initial=0)) + 1
-    near = np.flatnonzero(np.isfinite(off) & np.isfinite(_off(here.points, _at(curve.tips), reach)))
+    near = np.flatnonzero(np.isfinite(off) & _reached(here.points, curve.tips, reach))
     off[near] = _off(here.points[near] + off[near, None] * here.normals[near], edge, 2 * reach)
     return replace(measured, outer=off) if curve.beside < 0 else replace(measured, inner=off)
 
@@ -318,11 +343,6 @@ def _met(measured: Walls) -> Walls:
         return np.where(np.isinf(error), neighbours, error)
 
     return replace(measured, outer=filled(measured.outer), inner=filled(measured.inner))
-
-
-def _at(points: Floats) -> Stations:
-    """Return stations at points that belong to no curve."""
-    return Stations(points, np.zeros_like(points), np.zeros(len(points)))
 
 
 def _finer(measured: Walls) -> Stations:
