@@ -7,7 +7,6 @@ A file that ends after a whole block is the beginning of a tape, as SIMH takes i
 """
 
 from array import array
-from collections.abc import Iterable
 from functools import cached_property
 
 from tapes.errors import TapeError
@@ -65,24 +64,22 @@ def blank() -> Image:
 def decode(content: bytes) -> tuple[Image, list[str]]:
     """Return the image in a file, and notes about it. Raises TapeError for a file that is none."""
     width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
-    blocks, rest = divmod(len(content), 2 * width)
-    if rest or not 0 < blocks <= BLOCKS:
+    blocks, more = divmod(len(content), 2 * width)
+    if more or not 0 < blocks <= BLOCKS:
         known = image(len(content))
         what = f": {known}" if known else ""
         lengths = " or ".join(f"{each:,}" for each in _LENGTHS)
         ends = f"a DECtape image has {lengths}, or ends after a block of {2 * WORDS}"
         raise TapeError(f"{len(content):,} bytes{what}; {ends}")
-    words = array("H", bytes(2 * BLOCKS * WORDS))
-    for block in range(blocks):
-        for word in range(width):
-            at = 2 * (width * block + word)
-            found = content[at] | content[at + 1] << 8
-            if found > 0o7777:
-                raise TapeError(
-                    f"block {block:o}, word {word:o}: {found:o} (octal) is no word of 12 bits: this is no "
-                    "DECtape image of a PDP-8"
-                )
-            words[WORDS * block + word] = found
+    rest = bytes(2 * (WORDS - width))
+    rows = [content[at : at + 2 * width] + rest for at in range(0, len(content), 2 * width)]
+    words = low_first(array("H", b"".join([*rows, bytes(2 * WORDS * (BLOCKS - blocks))])))
+    if max(words) > 0o7777:
+        at = next(at for at, word in enumerate(words) if word > 0o7777)
+        raise TapeError(
+            f"block {at // WORDS:o}, word {at % WORDS:o}: {words[at]:o} (octal) is no word of 12 bits: this "
+            "is no DECtape image of a PDP-8"
+        )
     notes = [] if blocks == BLOCKS else [f"{blocks} of {BLOCKS} blocks; the others are taken as 0"]
     return Image(words, width), notes
 
@@ -92,6 +89,14 @@ def is_image(content: bytes) -> bool:
     return len(content) in _LENGTHS
 
 
-def packed(words: "Iterable[int]") -> bytes:
+def packed(words: "array[int]") -> bytes:
     """Return words as images have them: each in two bytes, the low one first."""
-    return bytes([part for word in words for part in (word & 0o377, word >> 8)])
+    return low_first(words).tobytes()
+
+
+def low_first(words: "array[int]") -> "array[int]":
+    """Return words of this computer with the low byte first, or such words as its own."""
+    found = words[:]
+    if array("H", b"\1\0")[0] != 1:
+        found.byteswap()
+    return found

@@ -1,5 +1,6 @@
 """`pdp8 tape extract` and `insert`: files of PS/8 and OS/8 on a DECtape image."""
 
+from array import array
 from pathlib import Path
 
 import click
@@ -57,7 +58,7 @@ def extract(*, image: str, name: str, form: str | None, output: str) -> None:
         words = os8.words(reel, name)
     kind = _form(name, form)
     if kind == "words":
-        command.put(output, dectape.packed(words))
+        command.put(output, dectape.packed(array("H", words)))
     else:
         command.put(output, os8.frames(words) if kind == "tape" else os8.text(words).encode())
 

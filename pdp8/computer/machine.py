@@ -245,10 +245,7 @@ class Machine:
     def put(self, values: Values) -> None:
         """Set the machine to `values` of its own or of another, all or some; further core stays as it is."""
         if "core" in values:
-            words, core = array("H", values["core"]), self.processor.core
-            for address, word in enumerate(words[: self.memory] if words != core else ()):
-                if word != core[address]:
-                    self.processor.deposit(address, word)
+            self.processor.fill(array("H", values["core"])[: self.memory])
         put(self.fields(), values)
         self._observer = None  # it did not see how the machine came here
 
@@ -300,8 +297,9 @@ class Machine:
             return
         last = self.memory - 1
         for places in watched:
-            for place in [each for each in places if not (isinstance(each, int) and 0 <= each <= last)]:
-                allowed(place, "a breakpoint", last)
+            for place in places:
+                if not (isinstance(place, int) and 0 <= place <= last):
+                    allowed(place, "a breakpoint", last)
         self._watched = watched
         parts = (6, 0) if self.memory == FIELD else (12, 6, 0)
         self._marks = bytes([address >> part & 0o77 for address in sorted(watched[0]) for part in parts])

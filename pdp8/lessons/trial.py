@@ -120,7 +120,7 @@ class Tried:
         self.machine.put({"core": self._filled.tobytes()})
         self.machine.load(answer.words)
         own = {answer.address(place) for each in self.starts for place in each.deposit}
-        self._free = {at for at in range(len(self._filled)) if at not in own and at not in answer.words}
+        self._free = {*range(len(self._filled))} - own - {*answer.words}
         for number in range(before):
             self.outcome(number)
 

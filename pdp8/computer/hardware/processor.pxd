@@ -10,6 +10,7 @@ from pdp8.computer.hardware.extension cimport Extension
 cdef int FETCH, DEFER, EXECUTE, NO_STATE, INTERRUPT, WORD_COUNT, CURRENT_ADDRESS, BREAK, PROTECTED, FIELD, TP1
 cdef int AND, TAD, ISZ, DCA, JMS, JMP, IOT, OPR, CYCLE, IO_TICKS
 cdef int GROUP_2, GROUP_3, HLT, INDIRECT
+cdef unsigned short _FORMS[32784]
 
 
 @cython.final
@@ -27,6 +28,8 @@ cdef class Processor:
     @cython.locals(device=BreakDevice)
     cpdef preset(self)
     cpdef void deposit(self, int address, int word) noexcept
+    @cython.locals(new="unsigned short[::1]", address=int)
+    cpdef fill(self, object words)
     cpdef stop(self)
     cpdef bint within(self) noexcept
     cpdef int cycle(self) except -1

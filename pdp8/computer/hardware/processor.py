@@ -66,8 +66,8 @@ from pdp8.computer.hardware.fields import BIT, COUNT, TICK, saved
 from pdp8.computer.hardware.operate import group1, group2, skips
 from pdp8.computer.hardware.signals import CYCLE, INTERRUPT, IO_TICKS, PROTECTED, TP1
 
-_FORMS = 8 * (FIELD + 2)
-"""The decoded forms of the largest core."""
+_FORMS = array("H", bytes(2 * 8 * (FIELD + 2)))
+"""The decoded forms of the largest core, of which none is known."""
 
 
 class Processor:
@@ -123,7 +123,7 @@ class Processor:
         """Instructions fetched since power-up."""
         self.writes = 0
         """A count that rises whenever words of core are written."""
-        self.forms = array("H", bytes(2 * _FORMS))
+        self.forms = _FORMS[:]
         """The engine's decoded form of each word, with two more after each field; writing the word sets it to
         0.
         """
@@ -150,6 +150,13 @@ class Processor:
         self._core[address] = word
         self.forms[address + 2 * (address >> 12)] = 0
         self.writes += 1
+
+    def fill(self, words: "array[int]") -> None:
+        """Write words into core from address 0 on; where the same one stands, nothing is written."""
+        new = words
+        for address in range(len(new)):
+            if new[address] != self._core[address]:
+                self.deposit(address, new[address])
 
     def stop(self) -> None:
         """STOP: clear RUN at the end of the instruction, before an interrupt that is due."""

@@ -26,13 +26,13 @@ Sources: Small Computer Handbook 1970 (66 µs, 16.67 ms on average); SIMH PDP8/p
 the address after a write); fpw/SoCDP8 df32.vhd (which digit does what).
 """
 
-import sys
 from array import array
 from typing import Final
 
 from pdp8.computer.hardware.bus import BreakDevice, Bus, Device
 from pdp8.computer.hardware.fields import BIT, FRAMES, TICK, saved
 from pdp8.computer.hardware.signals import CLEAR_AC, NEVER, SKIP
+from tapes.dectape import low_first
 
 DISC = 0o100000
 LOCKED_TOGETHER = 0o40000
@@ -78,11 +78,11 @@ class DF32(BreakDevice):
     @property
     def content(self) -> bytes:
         """The words as an image has them: 65,536 bytes a disc."""
-        return _swapped(self.words).tobytes()
+        return low_first(self.words).tobytes()
 
     @content.setter
     def content(self, content: bytes) -> None:
-        words = _swapped(array("H", content[: len(content) & ~1]))
+        words = low_first(array("H", content[: len(content) & ~1]))
         if len(content) not in range(2 * DISC, 8 * DISC + 1, 2 * DISC) or max(words) > 0o7777:
             raise ValueError(f"{len(content):,} bytes: one to four discs of 65,536 bytes, words of 12 bits")
         self.words = words
@@ -223,14 +223,6 @@ class Door(Device):
 
     def initialize(self, now: int) -> None:
         """The control does it."""
-
-
-def _swapped(words: "array[int]") -> "array[int]":
-    """Return words of this computer with the low byte first, or such words as its own."""
-    found = words[:]
-    if sys.byteorder == "big":
-        found.byteswap()
-    return found
 
 
 def _comes(at: int, now: int) -> int:

@@ -11,6 +11,10 @@ from pdp8.computer.speed.waiting cimport Waiting
 cdef int64_t LONGEST, PIECE, _CYCLES
 cdef int FIELD, STRIDE, BREAK
 cdef int CYCLE, EXECUTE, FETCH, GROUP_2, INDIRECT, IOT, ISZ, JMP, JMS, OPR, PROTECTED, UNDECODED, JMP_X, GROUP_1, GROUP_1_ROTATE, DELAY, WRAP, LEFT
+cdef unsigned short _ARG[32784]
+cdef unsigned short _KEEP[256]
+cdef unsigned short _FLIP[256]
+cdef unsigned short _PLUS[256]
 
 
 @cython.final

@@ -87,6 +87,13 @@ _DIRECT = (AND_X, TAD_X, ISZ_X, DCA_X, JMS_X, JMP_X)
 _INDIRECT = (AND_I, TAD_I, ISZ_I, DCA_I, JMS_I, JMP_I)
 _AUTOINDEXED = (LEFT, TAD_AUTO, LEFT, DCA_AUTO, LEFT, LEFT)
 _FREQUENT_ROTATES = {0o4: RAL, 0o10: RAR}
+_ARG = array("H", bytes(2 * 8 * STRIDE))
+# Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
+_KEEP = array(
+    "H", [(0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)]
+)
+_FLIP = array("H", [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)])
+_PLUS = array("H", [i & 1 for i in range(256)])
 _SKIPS = {0: SKIP, REVERSED: SKIP_UNLESS, CLA: SKIP_CLA, CLA | REVERSED: SKIP_UNLESS_CLA}
 
 
@@ -110,13 +117,9 @@ class Engine:
         for field in range(processor.extension.size // FIELD):
             past = STRIDE * field + FIELD
             self.processor.forms[past] = self.processor.forms[past + 1] = WRAP
-        self.arg = array("H", bytes(2 * 8 * STRIDE))
+        self.arg = _ARG[:]
         self.registers = [0, 0, 0]
-        # Group 1 without its rotate, by its low 8 bits: {L, AC} & keep ^ flip, + plus.
-        keep = [(0o10000 if i & 0o200 else 0o17777) & (0o7777 if i & 0o100 else 0o17777) for i in range(256)]
-        flip = [(0o7777 if i & 0o40 else 0) | (0o10000 if i & 0o20 else 0) for i in range(256)]
-        self.keep, self.flip = array("H", keep), array("H", flip)
-        self.plus = array("H", [i & 1 for i in range(256)])
+        self.keep, self.flip, self.plus = _KEEP[:], _FLIP[:], _PLUS[:]
 
     def run(self, until: int, last: int, breakpoints: Set[int] = frozenset()) -> bool:
         """Run to tick `until`, to `last` instructions in all, to an endless wait or a stop; return True only

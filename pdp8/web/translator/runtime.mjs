@@ -127,6 +127,7 @@ export class ByteArray extends Array {
 const word = (of) => ((of & 65535) === of ? of : refuse(OverflowError, `unsigned short is ${of < 0 ? "less than minimum" : "greater than maximum"}`));
 export class Words extends Uint16Array {
   tobytes() { return new Bytes(this.slice().buffer); }
+  byteswap() { this.forEach((each, at) => (this[at] = each << 8 | each >> 8)); }
 }
 /** Strip what is in `chars` (null: a text's white space) from the left or right end, or both. */
 const strip = (left, right) => function (chars = null) {

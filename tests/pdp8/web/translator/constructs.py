@@ -170,6 +170,8 @@ def assignments() -> Any:
     words = array("H", bytes(8))
     words[1] = words[2] = 0o7777
     words[-1] = 5
+    turned = words[1:]
+    turned.byteswap()
     frames = bytearray(b"abc")
     frames += b"de"
     numbers = [0, 1, 2, 3, 4, 5]
@@ -181,7 +183,8 @@ def assignments() -> Any:
     other = texts
     texts += ["y"]
     return [
-        a, b, new, default, first, second, third, rest, list(words), list(frames), numbers, table, other, words[:2].tobytes()[1],
+        a, b, new, default, first, second, third, rest, list(words), list(turned), list(frames), numbers, table,
+        other, words[:2].tobytes()[1],
     ]  # fmt: skip
 
 
