@@ -260,9 +260,9 @@ def walls(
     for wall, error, sign in (("outer", ends[1] - radius, 1), ("inner", ends[0] + radius, -1)):
         stands = np.full(len(stations), wall == part_wall)
         if not part_wall:  # one out of tolerance, only where no cut from elsewhere comes near
-            reaches = (radius, radius + 2 * tolerance)
-            stands, sure = (_stands(stations, sign * reach, path[::_EVERY]) for reach in reaches)
-            stands &= sure | (np.abs(error) <= tolerance)
+            stands, wrong = _stands(stations, sign * radius, path[::_EVERY]), np.abs(error) > tolerance
+            if (stands & wrong).any():
+                stands &= ~wrong | _stands(stations, sign * (radius + 2 * tolerance), path[::_EVERY])
         found[wall] = np.where(stands, error, np.nan)
     return Walls(stations, found["outer"], found["inner"], part_wall)
 

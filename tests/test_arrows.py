@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -39,7 +40,12 @@ def sources(*packages: str) -> Iterator[tuple[Path, str, ast.Module]]:
     for package in packages or ALLOWED:
         for path in sorted((HOUSE / package).rglob("*.py")):
             name = ".".join(path.relative_to(HOUSE).with_suffix("").parts)
-            yield path, name, ast.parse(path.read_text())
+            yield path, name, _parsed(path)
+
+
+@cache
+def _parsed(path: Path) -> ast.Module:
+    return ast.parse(path.read_text())
 
 
 def imports(tree: ast.Module) -> Iterator[str]:

@@ -6,6 +6,8 @@ from ctypes import POINTER, Structure, c_int32, c_int64, c_uint8, c_uint16
 from functools import cache
 from pathlib import Path
 
+import numpy as np
+
 from tests.reference.compiling import compiled, numbers
 
 FOLDER = Path(__file__).parent
@@ -108,7 +110,9 @@ class Counts(Structure):
 
     def by_address(self, name: str) -> dict[int, int]:
         """Return {address: number} of what is `executed` or `written`, where it is not 0."""
-        return {address: number for address, number in enumerate(getattr(self, name)) if number}
+        numbers = np.frombuffer(getattr(self, name), np.int32)
+        there = np.flatnonzero(numbers)
+        return dict(zip(there.tolist(), numbers[there].tolist(), strict=True))
 
 
 class Reference(Structure):
