@@ -107,9 +107,9 @@ function answer(given) {
   const now = side.seen();
   const words = [];
   const { core: held } = side.machine.processor;
-  held.forEach((word, address) => { if (word !== core[address]) words.push([address, word]); });
+  held.forEach((word, address) => { if (word !== core[address]) words.push([address, (core[address] = word)]); });
   const told = [reason ?? null, different(now, seen), words];
-  [core, seen] = [Uint16Array.from(held), now];
+  seen = now;
   return told;
 }
 

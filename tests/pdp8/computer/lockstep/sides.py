@@ -117,7 +117,7 @@ class InPython(Side):
         for device in breakers(form) if self.rack else ():
             self.machine.fit(device)
         self.machine.load(situation.words)
-        self.paths = list(seen_of(situation))
+        self.paths = [path.rpartition(".") for path in seen_of(situation)]
         self.count_delays = True
         self.count: Any = None
         self.history: Any = None
@@ -125,13 +125,12 @@ class InPython(Side):
     def call(self, path: str, *values: Any) -> None:
         attrgetter(path)(self.machine)(*values)
 
-    def seen_at(self, path: str) -> Any:
-        """Return what is seen at a path, in which numbers are places of lists."""
-        first, *names = path.split(".")
-        value = getattr(self.machine, first)
-        for name in names:
-            value = value[int(name)] if name in ("-1", "-2") else getattr(value, name)
-        return _plain(value)
+    def part(self, path: str) -> Any:
+        """Return what is at a path, in which numbers are places of lists."""
+        part: Any = self.machine
+        for name in path.split(".") if path else ():
+            part = part[int(name)] if name in ("-1", "-2") else getattr(part, name)
+        return part
 
     def set(self, path: str, value: Any) -> None:
         owner, _, name = f"machine.{path}".rpartition(".")
@@ -187,7 +186,8 @@ class InPython(Side):
         self.module("pdp8.computer.past.rewind").instructions(self.history, instructions)
 
     def seen(self) -> Seen:
-        seen = {path: self.seen_at(path) for path in self.paths}
+        parts = {path: self.part(path) for path in {path for path, *_ in self.paths}}
+        seen = {path + dot + name: _plain(getattr(parts[path], name)) for path, dot, name in self.paths}
         return seen | _counted(self.count, lambda name: +getattr(self.count, name))
 
 

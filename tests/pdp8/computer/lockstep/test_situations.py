@@ -12,41 +12,41 @@ from tests.pdp8.computer.lockstep.situations import (
     in_the_rack,
     situation,
 )
-from tests.pdp8.web.node import needs_node
+from tests.pdp8.web.node import NODE
 from tests.reference.compiling import compiler
 from tests.sampling import some
 
-LONGEST = {"compiled": 100_000, "plain": 3_000, "javascript": 3_000}
+Forms = tuple[str, ...]
+SLOW: Forms = "plain", *(["javascript"] if NODE else [])
+LONGEST = {("compiled",): 100_000, SLOW: 3_000}
 pytestmark = [
     pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler"),
-    pytest.mark.parametrize(
-        "form", [form if form != "javascript" else pytest.param(form, marks=needs_node) for form in LONGEST]
-    ),
+    pytest.mark.parametrize("forms", LONGEST, ids=", ".join),
 ]
 SEEDS = 40
 """Situations of one test."""
 
 
-def same(form: str, seed: int, situation: Situation) -> None:
-    played = play(situation, [form])
+def same(forms: Forms, seed: int, situation: Situation) -> None:
+    played = play(situation, forms)
     assert not played.difference, f"seed {seed}: {played.difference}"
 
 
 @pytest.mark.parametrize(
     "first", [0, *(pytest.param(n * SEEDS, marks=pytest.mark.slow("80 situations more")) for n in (1, 2))]
 )
-def test_all_forms_and_the_reference_differ_in_nothing(form: str, first: int) -> None:
+def test_all_forms_and_the_reference_differ_in_nothing(forms: Forms, first: int) -> None:
     for seed in range(first, first + SEEDS):
-        same(form, seed, situation(seed, LONGEST[form]))
+        same(forms, seed, situation(seed, LONGEST[forms]))
 
 
 @pytest.mark.parametrize(
     "seeds",
     [range(4), pytest.param(range(4, 4 + some(20)), marks=pytest.mark.slow("16,000 acts by WHOLE=1"))],
 )
-def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) -> None:
+def test_nor_does_the_teletype_beside_its_flip_flops(forms: Forms, seeds: range) -> None:
     for seed in seeds:
-        same(form, seed, at_the_teletype(seed))
+        same(forms, seed, at_the_teletype(seed))
 
 
 @pytest.mark.parametrize(
@@ -56,9 +56,9 @@ def test_nor_does_the_teletype_beside_its_flip_flops(form: str, seeds: range) ->
         pytest.param(range(4, 10 + some(250)), marks=pytest.mark.slow("50,000 keys and switches by WHOLE=1")),
     ],
 )
-def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> None:
+def test_nor_does_the_panel_between_any_two_cycles(forms: Forms, seeds: range) -> None:
     for seed in seeds:
-        same(form, seed, at_the_panel(seed))
+        same(forms, seed, at_the_panel(seed))
 
 
 @pytest.mark.parametrize(
@@ -68,6 +68,6 @@ def test_nor_does_the_panel_between_any_two_cycles(form: str, seeds: range) -> N
         pytest.param(range(2, 6 + some(200)), marks=pytest.mark.slow("2 million instructions by WHOLE=1")),
     ],
 )
-def test_nor_do_fields_and_data_breaks(form: str, seeds: Sequence[int]) -> None:
+def test_nor_do_fields_and_data_breaks(forms: Forms, seeds: Sequence[int]) -> None:
     for seed in seeds:
-        same(form, seed, in_the_rack(seed, LONGEST[form]))
+        same(forms, seed, in_the_rack(seed, LONGEST[forms]))
