@@ -68,7 +68,7 @@ def pytest_xdist_auto_num_workers() -> int:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Leave to `make check` what needs its packages, a browser's driver, OpenCV; begin with the longest."""
-    items.sort(key=lambda item: "options" not in item.path.parts)
+    items.sort(key=lambda item: not {"options", "transcripts"}.intersection(item.path.parts))
     for item in items:
         if "browser" in getattr(item, "fixturenames", ()):
             item.add_marker(pytest.mark.slow("in a browser"))

@@ -230,11 +230,11 @@ CALLS: Final[Mapping[str, Sequence[str]]] = {
         *_quick(""),
     ),
     "part ellipse": (
-        *_quick("--tolerance .05"), *_quick("--tolerance .05 --cutter .1"), *_quick("--major 2.7"),
-        "--minor 2.1", *_quick(""),
+        *_quick("--major .6 --minor .45 --tolerance .05"), *_quick("--tolerance .05"),
+        *_quick("--tolerance .05 --cutter .1"), *_quick("--major 2.7"), "--minor 2.1", *_quick(""),
     ),
     "part polynomial": (
-        *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", *_quick("--to .2"), "",
+        *_quick("--to .2"), *_quick("--tolerance .1"), *_quick("--tolerance .1 --cutter .1"), "--b 2.1", "",
     ),
     "part slope": (*_quick("--tolerance .05"), *_quick("--to-x 5 --to-y 5"), *_quick("")),
     "part curve": (
