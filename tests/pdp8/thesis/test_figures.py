@@ -187,7 +187,7 @@ def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> N
     nozzle = cavity.intersection(LineString([(-500, 2050), (500, 2050)]))
     assert nozzle.length == pytest.approx(201, abs=0.5)  # .020 x 10, to .001 of the cutter's path
     svg = diagrams.element()
-    width = 8 * float(ET.fromstring(svg).get("viewBox", "").split()[2])
+    width = 4 * float(ET.fromstring(svg).get("viewBox", "").split()[2])
     picture, frame = pixels(svg, round(width)), centre.buffer(500).bounds
 
     def dark(shape: Polygon) -> float:
@@ -195,7 +195,7 @@ def test_the_outline_of_figure_8_1_lies_half_a_cutter_outside_of_the_path() -> N
         places = [shape.exterior.interpolate(at) for at in range(0, int(shape.exterior.length), 50)]
         greys = [
             picture.getpixel(
-                (int(8 * (70 + (at.x - frame[0]) * 0.07)), int(8 * (16 + (frame[3] - at.y) * 0.07)))
+                (int(4 * (70 + (at.x - frame[0]) * 0.07)), int(4 * (16 + (frame[3] - at.y) * 0.07)))
             )
             for at in places
         ]
