@@ -1,5 +1,6 @@
 """The workbench on disk, and opened in Chromium or Firefox."""
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -15,12 +16,15 @@ _BROWSERS = ("chromium", "firefox")
 
 @pytest.fixture(scope="session")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page on disk; it is under 500 kB and may ask for nothing."""
-    html = node.page("pdp8", workbench)
-    assert len(html) < 500_000
-    assert "default-src 'none'" in html
-    path = tmp_path_factory.mktemp("workbench") / "pdp8.html"
-    path.write_text(html, encoding="utf-8")
+    """The page on disk, made once for all processes; it is under 500 kB and may ask for nothing."""
+    own = tmp_path_factory.getbasetemp() / "pdp8.html"
+    path = own.parents["PYTEST_XDIST_WORKER" in os.environ] / own.name
+    if not path.exists():
+        html = node.page("pdp8", workbench)
+        assert len(html) < 500_000
+        assert "default-src 'none'" in html
+        own.write_text(html, encoding="utf-8")
+        own.replace(path)
     return path
 
 

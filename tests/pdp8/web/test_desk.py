@@ -241,6 +241,7 @@ _ANSWERED = """() => {
 }"""
 
 
+@pytest.mark.slow("waits for each answer twice")
 def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
     """Whatever is asked; and nowhere once something else was opened; nor is another machine touched."""
     sources = "".join(file.read_text() for file in (Path(shelf.__file__).parent / "web").glob("bench/*.mjs"))
@@ -524,6 +525,7 @@ def test_a_link_holds_program_and_machine(page: Page, browser: Browser) -> None:
     assert page.evaluate(f"[...{core}]") == words
 
 
+@pytest.mark.slow("opens the page ten times")
 def test_a_link_opened_anew_is_what_it_holds_and_a_reload_what_became_of_it(page: Page) -> None:
     """For who made it as for who opened it. One that comes into the page's address is opened there."""
     click(page, "#share")
@@ -625,6 +627,7 @@ def test_a_part_that_is_opened_has_all_options_as_they_were_typed(page: Page) ->
     assert found == [[True, True]] * len(found)
 
 
+@pytest.mark.slow("computes circles on the page and here")
 def test_a_circle_within_another_tolerance(page: Page) -> None:
     """The slider has its tape made by the whole chain: the wider it is, the fewer blocks."""
     click(page, "[data-opens=mill]")

@@ -72,7 +72,7 @@ def _looked_at(name: str, seen: str) -> None:
 
 
 @needs_node
-@pytest.mark.parametrize("part", [0.3, 0.8])
+@pytest.mark.parametrize("part", [0.3, pytest.param(0.8, marks=pytest.mark.slow("plays all acts"))])
 def test_an_act(file: Path, part: float) -> None:
     with small.visit(file) as page:
         for turn in range(8):

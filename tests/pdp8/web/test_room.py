@@ -99,7 +99,13 @@ def test_the_address_is_an_instant(browser: Browser, file: Path) -> None:
         until(page, "!workbench.room.open")
 
 
-@pytest.mark.parametrize(("turn", "part"), [(_PROLOGUE, 0.3), (_TOGGLE, 0.4), (_TRANSLATE, 0.9), (_CUT, 0.5)])
+@pytest.mark.parametrize(
+    ("turn", "part"),
+    [
+        *[(_PROLOGUE, 0.3), (_TOGGLE, 0.4), (_TRANSLATE, 0.9)],
+        pytest.param(_CUT, 0.5, marks=pytest.mark.slow("plays all acts before")),
+    ],
+)
 def test_what_is_lit_is_the_machines(room: Page, circle: Afternoon, turn: int, part: float) -> None:
     """Standing still, lamps and switches are those of a machine that goes forward only."""
     tick = _to(room, turn, part)
