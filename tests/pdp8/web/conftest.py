@@ -1,6 +1,5 @@
 """The workbench on disk, and opened in Chromium or Firefox."""
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -15,10 +14,10 @@ _BROWSERS = ("chromium", "firefox")
 
 
 @pytest.fixture(scope="session")
-def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def file(pytestconfig: pytest.Config, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page on disk, made once for all processes; it is under 500 kB and may ask for nothing."""
     own = tmp_path_factory.getbasetemp() / "pdp8.html"
-    path = own.parents["PYTEST_XDIST_WORKER" in os.environ] / own.name
+    path = own.parents[hasattr(pytestconfig, "workerinput")] / own.name
     if not path.exists():
         html = node.page("pdp8", workbench)
         assert len(html) < 500_000
