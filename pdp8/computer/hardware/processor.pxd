@@ -28,8 +28,8 @@ cdef class Processor:
     @cython.locals(device=BreakDevice)
     cpdef preset(self)
     cpdef void deposit(self, int address, int word) noexcept
-    @cython.locals(new="unsigned short[::1]", address=int)
-    cpdef fill(self, object words)
+    @cython.locals(address=int)
+    cpdef fill(self, unsigned short[::1] words)
     cpdef stop(self)
     cpdef bint within(self) noexcept
     cpdef int cycle(self) except -1

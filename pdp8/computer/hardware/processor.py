@@ -153,10 +153,9 @@ class Processor:
 
     def fill(self, words: "array[int]") -> None:
         """Write words into core from address 0 on; where the same one stands, nothing is written."""
-        new = words
-        for address in range(len(new)):
-            if new[address] != self._core[address]:
-                self.deposit(address, new[address])
+        for address in range(len(words)):
+            if words[address] != self._core[address]:
+                self.deposit(address, words[address])
 
     def stop(self) -> None:
         """STOP: clear RUN at the end of the instruction, before an interrupt that is due."""
