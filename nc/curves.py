@@ -145,7 +145,7 @@ class Ellipse(Curve):
         """Return a description of its centre and radius or semi-axes."""
         a, b = unit.said(self.a), unit.said(self.b)
         kind, size = ("circle", f"radius {a}") if self.a == self.b else ("ellipse", f"semi-axes {a} and {b}")
-        place = f"centre {_place(unit, self.x, self.y)}"
+        place = f"centre {unit.place(self.x, self.y)}"
         return f"{self._kind(kind)}, {place}, {size} {unit.name}{_GUESSED * self.guessed}"
 
 
@@ -182,7 +182,7 @@ class StraightLine(Curve):
 
     def said(self, unit: Unit) -> str:
         """Return a description of its ends."""
-        ends = _place(unit, self.x1, self.y1), _place(unit, self.x2, self.y2)
+        ends = unit.place(self.x1, self.y1), unit.place(self.x2, self.y2)
         return f"line from {' to '.join(ends)}{_GUESSED * self.guessed}"
 
 
@@ -224,7 +224,7 @@ class Graph(Curve):
         inches = ", in inches" if unit is not INCH else ""
         return (
             f"{self._kind('curve')} y = {self.expression}{inches}, x from {self.first:g} to {self.last:g}, "
-            f"origin {_place(unit, self.x, self.y)}"
+            f"origin {unit.place(self.x, self.y)}"
         )
 
 
@@ -272,11 +272,7 @@ class Outline(Curve):
 
     def said(self, unit: Unit) -> str:
         """Return a description of the outline and its centre."""
-        return f"{self._kind(self.what)}, centre {_place(unit, self.x, self.y)}"
-
-
-def _place(unit: Unit, x: float, y: float) -> str:
-    return f"X {unit.said(x)} Y {unit.said(y)}"
+        return f"{self._kind(self.what)}, centre {unit.place(self.x, self.y)}"
 
 
 def curve(nominal: Nominal, cutter: float) -> Curve:

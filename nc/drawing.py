@@ -46,6 +46,11 @@ class Window:
         """Whether the place is in it."""
         return self.left <= x <= self.right and self.bottom <= y <= self.top
 
+    def meets(self, other: "Window") -> bool:
+        """Whether some place is in both."""
+        across = self.left <= other.right and self.right >= other.left
+        return across and self.bottom <= other.top and self.top >= other.bottom
+
 
 def around(points: Iterable[Sequence[float]]) -> Window:
     """Return the smallest window that holds all the points; there must be one."""

@@ -51,7 +51,7 @@ def plot(
     are thousandths of an inch; `unit` is that of scales and words. `curve`, if given, is drawn with its band.
     `zoom` is the scale of the close view along X and along Y. The close view is made less high for the sheet
     to be at most `high` hundredths of an inch of paper, but not less than 150. Raises WorkError if the tape
-    does not have that block.
+    does not have that block, or if the close view is beside the part.
     """
     current = len(path) if block is None else block
     if not 1 <= current <= len(path):
@@ -77,8 +77,13 @@ def plot(
         _draw_axes(part, curve)
     sheet.text(_LEFT, close_top - 8, _close_title(curve, tolerance, zoom, unit), fill=FAINT)
     x, y = close_at or path.steps[current - 1].at[:2]
-    window = Window(x, y, x, y).grown(_WIDTH / zoom[0] * 5, close_height / zoom[1] * 5)
-    close = View(sheet, _LEFT, close_top, window, zoom, unit)
+    seen = Window(x, y, x, y).grown(_WIDTH / zoom[0] * 5, close_height / zoom[1] * 5)
+    if close_at and not seen.meets(window):
+        ends = (unit.place(window.left, window.bottom), unit.place(window.right, window.top))
+        raise WorkError(
+            f"the close view at {unit.place(x, y)} shows nothing: the part is drawn from {' to '.join(ends)}"
+        )
+    close = View(sheet, _LEFT, close_top, seen, zoom, unit)
     _draw_close(close, path, current, curve, cutter, tolerance)
     for row, line in enumerate(_LEGEND):
         sheet.text(_LEFT, bottom + 60 + _LINE * row, line, fill=FAINT)
@@ -160,9 +165,7 @@ def _draw_close(
 
 
 def _near(move: Move, reach: Window) -> bool:
-    own = around([move.start, move.end])
-    across = own.left <= reach.right and own.right >= reach.left
-    return across and own.bottom <= reach.top and own.top >= reach.bottom
+    return around([move.start, move.end]).meets(reach)
 
 
 def _draw_metal(view: View, moves: list[Move], cutter: float) -> None:

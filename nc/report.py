@@ -12,6 +12,7 @@ from nc.listing import place, quill
 from nc.path import STEP, Path, Position
 from nc.unit import INCH, Unit
 from tapes.hydrapoint import POSITIONING_SPEED
+from tapes.quantities import counted
 
 THESIS_CIRCLE = (Ellipse(4000, 4000, 1750, 1750), 500)
 """The test circle of Chapter 7: 4 in across, 1/2 in cutter."""
@@ -41,7 +42,7 @@ def _what(path: Path) -> Iterator[str]:
     if path.cuts:
         length = sum(move.length for move in path.cuts)
         ends = [at for move in path.cuts for at in (move.start, move.end)]
-        yield f"milled        {length / 1000:.3f} in, {path.milling_blocks} blocks"
+        yield f"milled        {length / 1000:.3f} in, {counted(path.milling_blocks, 'blocks')}"
         low, high = (Position(*map(end, zip(*ends, strict=True))) for end in (min, max))
         yield f"extent        {place(low)} to {place(high)}"
         closes = f"{path.gap / 1000:.3f} in from its start" if path.gap else "at its start"
@@ -54,7 +55,8 @@ def _times(path: Path) -> Iterator[str]:
     times = path.times
     changes, seconds = sum(step.tool_changed for step in path.steps), path.tool_change_seconds
     each = f"{changes} at {seconds:g} s" if seconds else f"{changes}, time not counted"
-    yield f"reading       {_minutes(times.reading)}   {len(path)} blocks at {path.read_seconds:g} s"
+    blocks = counted(len(path), "blocks")
+    yield f"reading       {_minutes(times.reading)}   {blocks} at {path.read_seconds:g} s"
     yield f"positioning   {_minutes(times.positioning)}   at {POSITIONING_SPEED:g} in/min"
     yield f"Z feed        {_minutes(times.z_feed)}"
     feeds = sorted({round(move.speed, 3) for move in path.cuts})
@@ -65,7 +67,7 @@ def _times(path: Path) -> Iterator[str]:
     if path.cuts:
         contour = path.contour
         yield (
-            f"contour alone {_minutes(contour.total)}   {path.milling_blocks} milling blocks: "
+            f"contour alone {_minutes(contour.total)}   {counted(path.milling_blocks, 'milling blocks')}: "
             f"reading {contour.reading / 60:.1f}, cutting {contour.milling / 60:.1f}, "
             f"efficiency {contour.efficiency:.0%}"
         )

@@ -29,13 +29,14 @@ def talysurf(
 
     A closed curve is measured counterclockwise from its +X apex. The default stretch is the quarter about
     the +Y apex of a closed curve, and the whole of any other. `background` is a roughness that the cut does
-    not explain, in thousandths: a shaded band about the trace. Raises WorkError if the stretch has no wall.
+    not explain, in thousandths: a shaded band about the trace. Raises WorkError if the stretch has no wall,
+    or goes beyond the curve by more than a division.
     """
     along = inspection.walls.stations.along
     first, last = (len(along) // 8, 3 * len(along) // 8) if inspection.curve.closed else (0, -1)
     start, end = stretch or (along[first], along[last])
     chosen = np.flatnonzero((along >= start) & (along <= end))
-    if len(chosen) < 2:
+    if len(chosen) < 2 or start < -DIVISION or end > along[-1] + DIVISION:
         raise WorkError(
             f"stretch from {start / 1000:.3f} to {end / 1000:.3f}: the curve runs from 0 to "
             f"{along[-1] / 1000:.3f} in"

@@ -22,6 +22,10 @@ class Unit(NamedTuple):
         """Return a length as it is written beside others, with so many places: 1.750, 44.450."""
         return f"{self.of(thousandths):.{places or self.places}f}"
 
+    def place(self, x: float, y: float) -> str:
+        """Return a place of the table."""
+        return f"X {self.said(x)} Y {self.said(y)}"
+
     def size(self, thousandths: float) -> str:
         """Return a size, with a fourth place if it needs one: 0.500, 0.0625."""
         return self.said(thousandths, 4).removesuffix("0")

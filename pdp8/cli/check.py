@@ -104,9 +104,9 @@ def check(
     """Mark each ANSWER to EXERCISE: run it on the exercise's cases, or compare a sheet of answers.
 
     EXERCISE is a file in TOML, or the name of a bundled one; docs/lessons.md of the sources says how to write
-    your own. An ANSWER is PAL III source, a BIN or RIM tape, or a text with a line for each question; - is
-    standard input. An answer gets a bounded time, core and tape, whatever it does. The table of marks goes to
-    standard output, unless --json, --csv or --junit does.
+    your own. An ANSWER is PAL III source, a BIN or RIM tape or its dump, or a text with a line for each
+    question; - is standard input. An answer gets a bounded time, core and tape, whatever it does. The table
+    of marks goes to standard output, unless --json, --csv or --junit does.
 
     Answers that look alike, but for comments and names, are named below the table: a hint, no proof.
 
@@ -153,7 +153,11 @@ def check(
         if variants is None:
             results = bounded.marked(read, answers, cpu, dialect)
         else:
-            seeds = {given.name: form.variant(_stem(given.name), seed) for given in answers}
+            stems = [_stem(given.name) for given in answers]
+            seeds = {
+                given.name: form.variant(given.name if stems.count(stem) > 1 else stem, seed)
+                for given, stem in zip(answers, stems, strict=True)
+            }
             results = [
                 result
                 for given in answers

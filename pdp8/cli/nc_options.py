@@ -16,7 +16,7 @@ from pdp8.cli.shared.rules import field, flag, of, option
 from tapes.errors import TapeError, WorkError, naming
 from tapes.errors import named as named_error
 from tapes.nominal import SIDES, Kind, Nominal
-from tapes.text import lines_of
+from tapes.text import lines_of, without_mark
 
 if TYPE_CHECKING:
     from nc.curves import Curve
@@ -268,7 +268,7 @@ class Named:
         name = named.expression
         content = shelf.read(name, wide=True)
         with naming(name):
-            text = content.decode("utf-8", "replace")
+            text = without_mark(content).decode("utf-8", "replace")
             if not companion.is_one(text):
                 corners = points.outline(table.read(content, mm).places, named.tolerance)
                 return named._replace(expression="", points=tuple(corners), source=name)

@@ -31,11 +31,19 @@ class _Program(Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put a space before a minus that begins neither an option nor the value of one."""
-        before = ["", *args]
         if any(isinstance(param, click.Argument) for param in self.params):
+            flags = [
+                name
+                for param in self.get_params(ctx)
+                if getattr(param, "is_flag", False)
+                for name in param.opts
+            ]
+            valued = [
+                (each.startswith("--") and "=" not in each and each not in flags) or each == "-o"
+                for each in ("", *args)
+            ]
             args = [
-                f" {each}" if _MINUS.match(each) and not before[at].startswith(("--", "-o")) else each
-                for at, each in enumerate(args)
+                f" {each}" if _MINUS.match(each) and not valued[at] else each for at, each in enumerate(args)
             ]
         return super().parse_args(ctx, args)
 

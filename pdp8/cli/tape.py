@@ -33,6 +33,7 @@ from tapes.errors import TapeError, called, naming
 from tapes.loaders import Words
 from tapes.paper import PAPERS as paper_sizes
 from tapes.paper import sized
+from tapes.text import without_mark
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
@@ -77,8 +78,8 @@ def _read(file: str) -> bytes:
 
 def _unspelled(file: str, content: bytes) -> bytes:
     """Return the frames of a dump, of words or of a state, or `content` if it is none."""
-    if content.startswith(b"{"):
-        return _core_of_state(file, content)
+    if (text := without_mark(content).lstrip()).startswith(b"{"):
+        return _core_of_state(file, text)
     found, note = dump.unspelled(content)
     command.say_of(file, [note] * bool(note))
     return found

@@ -13,6 +13,7 @@ from pdp8.cli.shared import command, extras
 from pdp8.cli.shared.arguments import Command, Folder, Group, Source, Target, output
 from pdp8.cli.shared.rules import flag, option
 from tapes.errors import TapeError, naming
+from tapes.text import without_mark
 
 if TYPE_CHECKING:
     from pdp8.thesis.table import Table
@@ -212,7 +213,7 @@ def collate(answers: str | None, letter: bool, pages: str | None, output: str) -
     if letter:
         command.put(output, known.letter())
         return
-    text = shelf.read(answers).decode("utf-8", "replace") if answers else ""
+    text = without_mark(shelf.read(answers)).decode("utf-8", "replace") if answers else ""
     with naming(answers or ""):
         given = known.answers(text)
     places = _places(pages) if pages else {}

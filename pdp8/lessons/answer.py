@@ -10,6 +10,8 @@ from tapes.text import lines_of
 
 _SHOWN = 5
 """Errors of a source that are shown."""
+_BEFORE, _BEHIND = " -*>([", ")]*"
+"""What may stand about the name of a question."""
 
 
 @dataclass(frozen=True)
@@ -36,16 +38,16 @@ class Answer:
                 if _of_a_word(item[0])]  # fmt: skip
 
     def lines(self) -> dict[str, str]:
-        """Return a sheet's answers by their questions' names: `a: 270`."""
+        """Return a sheet's answers by their questions' names: `a: 270`, `(a) 270`, `- **a**: 270`."""
         found: dict[str, str] = {}
         for line in lines_of(self.source):
-            plain = line.removeprefix("\ufeff").strip()
+            plain = line.removeprefix("\ufeff").strip().lstrip(_BEFORE)
             end = 0
-            while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=.)":
+            while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=." + _BEHIND:
                 end += 1
-            rest = plain[end:].lstrip()
+            rest = plain[end:].lstrip(_BEHIND).lstrip()
             if end:
-                found[plain[:end].lower()] = (rest[1:] if rest[:1] in (":", "=", ".", ")") else rest).strip()
+                found[plain[:end].lower()] = (rest[1:] if rest[:1] in (":", "=", ".") else rest).strip()
         return found
 
 

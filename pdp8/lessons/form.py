@@ -12,6 +12,7 @@ from typing import Any
 
 from pdp8 import shelf
 from pdp8.lessons import diagnosis, draw, values
+from pdp8.lessons.answer import Answer
 from pdp8.lessons.exercise import Case, Exercise, Question, Source, Trial
 from pdp8.lessons.tables import CASE, EXERCISE, QUESTION, SOURCE, TRIAL, ExerciseError, table, tables
 from tapes.errors import called
@@ -60,7 +61,7 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
     try:
         if any(_DEEP.fullmatch(line.partition("=")[0]) for line in lines_of(text)):
             raise RecursionError
-        given = (json if text.startswith("{") else tomllib).loads(text)
+        given = (json if text.lstrip().startswith("{") else tomllib).loads(text)
     except RecursionError:
         raise ExerciseError(f"{name}: nested too deeply") from None
     except ValueError as error:
@@ -80,7 +81,13 @@ def parse(text: str, name: str, seed: int = SEED, folder: str = "") -> Exercise:
     )
     for case in made.cases:
         _check_hints(case, f"{name}: {case.name}")
-    twice = next((each for at, each in enumerate(made.names) if each in made.names[:at]), None)
+    for question in questions:
+        if [*Answer("", source=f"{question.name}: 1").lines().items()] != [(question.name.lower(), "1")]:
+            raise ExerciseError(
+                f"{name}: no line of a sheet can begin with {question.name!r}: a question's name is one word"
+            )
+    names = [each.lower() for each in made.names] if questions else made.names
+    twice = next((each for at, each in enumerate(made.names) if names[at] in names[:at]), None)
     if twice is not None:
         raise ExerciseError(f"{name}: two cases or questions are called {twice!r}")
     return made

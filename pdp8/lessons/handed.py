@@ -9,7 +9,7 @@ import sys
 from pdp8 import shelf
 from pdp8.computer.use import program
 from pdp8.lessons.answer import Answer
-from tapes import codes
+from tapes import codes, dump
 from tapes.errors import WorkError, called
 from tapes.frames import FILL
 from tapes.loaders import Words
@@ -39,7 +39,7 @@ def read(name: str) -> Answer:
 
 
 def of(content: bytes, name: str) -> Answer:
-    """Return the answer in a file with this content: PAL III source, a BIN or RIM tape, a sheet."""
+    """Return the answer in a file of this content: PAL III source, a sheet, a BIN or RIM tape or its dump."""
     if not content:
         return Answer(name, fault="an empty file")
     if len(content) > LARGEST:
@@ -49,7 +49,7 @@ def of(content: bytes, name: str) -> Answer:
     content = without_mark(content)
     code = codes.recognise(content)
     try:
-        if isinstance(code, Words):
+        if isinstance(codes.recognise(dump.unspelled(content)[0]), Words):
             return Answer(name, program.read(content, name).words)
         if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file

@@ -41,7 +41,7 @@ def answers(text: str | None = None) -> dict[str, str]:
     """Return what pages have for each conjecture, by default of scan/answers.txt. Raises WorkError."""
     known, given = conjectures(), dict[str, str]()
     for number, line in enumerate(lines_of(text_of("scan/answers.txt") if text is None else text), 1):
-        if not line.strip() or line.startswith("#"):
+        if not line.strip() or line.lstrip().startswith("#"):
             continue
         given_as = [cell.strip() for cell in line.split("|")]
         if len(given_as) != 3 or not all(given_as):

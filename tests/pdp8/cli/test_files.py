@@ -10,15 +10,16 @@ from xml.etree import ElementTree
 import click
 import pytest
 
-from pdp8 import shelf
+from pdp8 import companion, shelf
 from pdp8.cli.assemble import pal
 from pdp8.cli.os8 import _packed
 from pdp8.cli.root import pdp8
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
-from pdp8.lessons import form
+from pdp8.lessons import form, student
 from tapes import binary
 from tapes.errors import WorkError
+from tapes.nominal import Nominal
 from tapes.text import is_utf16
 from tests import commands
 from tests.conftest import Call, Shell
@@ -70,16 +71,37 @@ def test_a_drawing_goes_to_standard_output_at_a_terminal_too_a_tape_does_not(
     assert not list(tmp_path.iterdir())
 
 
-def test_a_byte_order_mark_means_nothing(call: Call, tmp_path: Path) -> None:
-    mark = b"\xef\xbb\xbf"
-    (tmp_path / "own.toml").write_bytes(mark + Path(form.FOLDER, "add.toml").read_bytes())
-    (tmp_path / "own.pal").write_bytes(mark + RIGHT.encode())
-    (tmp_path / "own.state").write_bytes(mark + state.save(Machine()).encode())
-    assert call("pdp8 check own.toml own.pal")[0] == 0
-    (tmp_path / "script").write_bytes(mark + b"assert ac 0")
-    assert call("pdp8 monitor script")[0] == 0
-    assert call("pdp8 run own.pal")[0] == 0
-    assert call("pdp8 run --restore own.state --max-time 0")[0] in (0, 1)
+TEXTS = {
+    "own.toml": Path(form.FOLDER, "add.toml").read_bytes(),
+    "own.json": student.form(form.read("add")).encode(),
+    "own.pal": RIGHT.encode(),
+    "own.sym": b"START 0200\n",
+    "own.state": state.save(Machine()).encode(),
+    "script": b"assert ac 0\n",
+    "answers": b"# seen\n0340 | TAD P0 | me, here, now\n",
+    "points": b"0 0\n1 1\n2 4\n3 9\n",
+    "curve.json": companion.written(Nominal("circle", (4, 4, 1.75)), "").encode(),
+}
+READ = (
+    "check own.toml own.pal; check own.json own.pal; run own.pal; run --restore own.state --max-time 0; "
+    "tape info own.state; dis eia.bin --symbols own.sym; monitor script; thesis collate answers; "
+    "part fit points; nc plot slope-fewest.eia --profile curve.json; tape punch own.pal"
+)
+
+
+@pytest.mark.parametrize("line", READ.split("; "))
+def test_how_an_editor_saves_a_text_means_nothing(line: str, call: Call, tmp_path: Path) -> None:
+    """With a byte order mark, or CR LF; before JSON a line may be empty."""
+    name = next(word for word in line.split() if word in TEXTS)
+    forms = [b"\xef\xbb\xbf%s", b"\n%s"] if TEXTS[name].startswith(b"{") else [b"\xef\xbb\xbf%s"]
+    made = [TEXTS[name], TEXTS[name].replace(b"\n", b"\r\n"), *(each % TEXTS[name] for each in forms)]
+    seen = set()
+    for content in made:
+        for each in {**TEXTS, name: content}.items():
+            (tmp_path / each[0]).write_bytes(each[1])
+        seen.add(call(f"pdp8 {line}"))
+    assert len(seen) == 1
+    assert seen.pop()[0] < 2
 
 
 @pytest.mark.parametrize("order", ["utf-16", "utf-16-be"])

@@ -398,13 +398,15 @@ def test_each_name_has_cases_of_its_own(call: Call, tmp_path: Path, monkeypatch:
     """The seed that is listed marks an answer as it was marked in the class."""
     monkeypatch.chdir(tmp_path)
     Path("e.toml").write_text(RANDOM)
-    for name in ("ana,b", "ben"):
-        Path(f"{name}.pal").write_text(parse(RANDOM, "e").solution.replace("RAL", "RAR"))
-    assert call("pdp8 check e.toml ana,b.pal ben.pal --variants seeds.csv --json both.json")[0] == 1
+    Path("cy").mkdir()
+    names = ["ana,b.pal", "ben.pal", "cy/ben.pal"]
+    for name in names:
+        Path(name).write_text(parse(RANDOM, "e").solution.replace("RAL", "RAR"))
+    assert call(f"pdp8 check e.toml {' '.join(names)} --variants seeds.csv --json all.json")[0] == 1
     head, *rows = csv.reader(Path("seeds.csv").read_text().splitlines())
     seeds = dict(rows)
-    assert (head, [*seeds], len({*seeds.values()})) == (["answer", "seed"], ["ana,b.pal", "ben.pal"], 2)
-    both = json.loads(Path("both.json").read_text())["answers"]
-    assert both[0]["marks"][0]["inputs"] != both[1]["marks"][0]["inputs"]
+    assert (head, [*seeds], len({*seeds.values()})) == (["answer", "seed"], names, 3)
+    marked = json.loads(Path("all.json").read_text())["answers"]
+    assert len({each["marks"][0]["inputs"] for each in marked}) == 3
     call(f"pdp8 check e.toml ben.pal --seed {seeds['ben.pal']} --json ben.json")
-    assert json.loads(Path("ben.json").read_text())["answers"] == both[1:]
+    assert json.loads(Path("ben.json").read_text())["answers"] == marked[1:2]

@@ -189,16 +189,18 @@ def test_a_mistake_must_change_one_place_of_the_solution() -> None:
 
 
 def test_a_sheet_is_read_however_its_lines_are_written() -> None:
-    sheet = "\ufeffA: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=−7 µs\ng? 8"
+    sheet = "\ufeffA: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=−7 µs\ng? 8\n"
+    sheet += "(h) 9\n- **i**: 1\n> [j]: (2)"
     read = handed.of(sheet.encode(), "s").lines()
-    assert list(read) == ["a", "b", "c", "d", "e", "f", "g?"]
-    assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8"]
+    assert list(read) == [*"abcdef", "g?", *"hij"]
+    assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8", "9", "1", "(2)"]
 
 
-def test_a_sheet_with_control_characters_is_no_tape_but_a_spoilt_tape_is_one() -> None:
+def test_a_sheet_with_control_characters_is_no_tape_but_a_dump_and_a_spoilt_tape_are() -> None:
     sheet = handed.of(b"a: 5\x1e8\x1e7\nb\x10: 9\nc: .001\nd\x14\x13: 11734\n", "s")
     assert (sheet.fault, list(sheet.lines())[:1]) == ("", ["a"])
     tape = pal.assemble("*200\n\tCLA CLL IAC\n\tHLT\n$\n").tape.strip(b"\200")
+    assert handed.of(tape.hex(" ").encode(), "t.txt").words == handed.of(tape, "t.bin").words != {}
     spoilt = handed.of(tape[:-1] + bytes([tape[-1] ^ 1]), "t.bin")
     assert spoilt.fault.startswith("t.bin: frame ")
 
