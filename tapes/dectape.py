@@ -84,9 +84,9 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
     return Image(words, width), notes
 
 
-def is_image(content: bytes) -> bool:
-    """Whether a file is as long as a whole image."""
-    return len(content) in _LENGTHS
+def is_image(content: bytes, name: str = "") -> bool:
+    """Whether a file is as long as a whole image, or is named as one."""
+    return len(content) in _LENGTHS or name.lower().endswith((".tu56", ".dt8"))
 
 
 def packed(words: "array[int]") -> bytes:

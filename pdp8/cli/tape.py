@@ -194,13 +194,15 @@ def show(
       pdp8 tape show circle.eia --to 79 --cut block.dxf
     """
     _check_order(first, last)
-    if dectape.is_image(content := shelf.read(file)):
+    if dectape.is_image(content := shelf.read(file), file):
         if svg or cut or first or last is not None or code != _AUTO:
             raise click.UsageError(
                 f"{file}: a DECtape image, of which the directory is listed; it takes no option"
             )
         with naming(file):
-            command.echo(os8.listing(dectape.decode(content)[0]))
+            image, notes = dectape.decode(content)
+            command.say_of(file, notes)
+            command.echo(os8.listing(image))
         return
     if code == _AUTO:
         content = _unspelled(file, content)
