@@ -25,6 +25,12 @@ _MARK = "__file_of_devices__"
 Devices = list[type[Peripheral]]
 
 
+class TwiceError(WorkError):
+    """Two devices of one code are asked for."""
+
+    exit_status = 2
+
+
 def known() -> list[Peripheral]:
     """Return a device of every kind that has a name."""
     from pdp8.computer.dectape.tc08 import TC08  # for those who have one
@@ -61,7 +67,7 @@ def devices(names: Iterable[str]) -> Devices:
         made = _by_name()[name] if file is None else _device(file, name.removeprefix(f"{file}:"))
         for other in found:
             if made.CODE == other.CODE:
-                raise WorkError(f"{name}: {other.__name__} has device code {made.CODE:02o} too")
+                raise TwiceError(f"{name}: {other.__name__} has device code {made.CODE:02o} too")
         found.append(made)
     return found
 
@@ -103,11 +109,13 @@ def _check(device: Device) -> None:
 
 def fault(error: BaseException) -> str:
     """Return the line and message of an error raised in a device's file, "" if elsewhere."""
-    said, at = "", error.__traceback__
-    while at is not None:
-        if file := at.tb_frame.f_globals.get(_MARK):
-            said = f"{file}, line {at.tb_lineno}: {type(error).__name__}: {error}"
-        at = at.tb_next
+    said = where = ""
+    for frame, line in walk_tb(error.__traceback__):
+        where = frame.f_code.co_name
+        if file := frame.f_globals.get(_MARK):
+            said = f"{file}, line {line}: {type(error).__name__}: {error}"
+    if not said and isinstance(error, TypeError) and where.endswith("pulse"):
+        return "a device of your own: its pulse returned no number; 0, SKIP, CLEAR_AC and words are answers"
     return said
 
 

@@ -274,6 +274,7 @@ class _Run:
             fitting.fit(machine, devices)
             self._mount(machine.devices)
         else:
+            fitting.fit(Machine(), devices)  # a device that cannot be fitted is refused as without a state
             machine = self._restored(options.restore, [made() for made in devices])
         check_start(options.start, machine.memory)
         if machine.memory == MEMORY["32k"]:
@@ -297,7 +298,7 @@ class _Run:
         text = shelf.read_text(name, state.LARGEST)
         self._mount(fitted)
         with naming(name):
-            return state.restore(text, fitted, known=fitting.known(), mount="--dectape N=FILE mounts it")
+            return state.restore(text, fitted, known=fitting.known())
 
     def _mount(self, devices: Sequence[Peripheral]) -> None:
         """Mount the reels of --dectape and the disk of --disk, and say what there is to say of them."""

@@ -40,6 +40,8 @@ class Count:
         self.cycles = 0
         self.ticks = 0
         self.waiting = 0
+        self.went_back = False
+        """Whether some of what was counted was undone."""
         self._last: deque[_Executed] = deque(maxlen=_RING)
         """The last instructions, up to `_RING` of them."""
 

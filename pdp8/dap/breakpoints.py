@@ -79,7 +79,10 @@ class Point:
                 raise WorkError("no word from this line on")
             self.address, self.line = found
         elif self.kind == INSTRUCTIONS:
-            self.address = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
+            at = place(self.asked["instructionReference"], self.asked.get("offset") or 0)
+            if not 0 <= at < monitor.machine.memory:
+                raise WorkError(f"{at:o}: no address of core")
+            self.address = at
         else:
             if self.kind == DATA and not (self.reads or self.writes):
                 raise WorkError(f"{self._access}: a word is watched for read, write or readWrite")
@@ -175,12 +178,13 @@ class Breakpoints:
         self._set[kind, source] = list(points.values())
         return [points[key].described(places) for key, _ in asked]
 
-    def place_anew(self, monitor: Monitor, places: Places) -> list[Body]:
-        """Place all breakpoints in the reloaded program; return those that moved."""
+    def place_anew(self, monitor: Monitor, places: Places, reloaded: bool = True) -> list[Body]:
+        """Place all in another machine, where the program may be reloaded; return those that moved."""
         moved = []
         for point in self:
             was = point.described(places)
-            point.follow(places)
+            if reloaded:
+                point.follow(places)
             point.place(monitor, places)
             if point.described(places) != was:
                 moved.append(point.described(places))

@@ -18,6 +18,7 @@ from pdp8.dap import motion
 from pdp8.dap.breakpoints import DATA, Breakpoints, Point, reached
 from pdp8.dap.launch import Launch
 from pdp8.dap.places import Places
+from pdp8.fitting import fault
 from pdp8.monitor.arguments import LONGEST
 from pdp8.monitor.running import slices
 
@@ -86,8 +87,8 @@ class Debuggee:
         self.put_points()
         self._slices = slices(self.monitor, LONGEST)
 
-    def put_points(self) -> None:
-        """Let a run stop where the editor says, and where the monitor's commands did."""
+    def put_points(self) -> Watch:
+        """Let a run stop where the editor says, and where the monitor's commands did; return its watch."""
         machine, watch = self.monitor.machine, self.monitor.machine.watch
         self._own = watch.breakpoints - self._put[0], watch.writes - self._put[1]
         points = Breakpoints() if self.launch.noDebug else self.breakpoints
@@ -97,6 +98,7 @@ class Debuggee:
         self._put = set(watch.breakpoints), set(watch.writes)
         watch.breakpoints |= self._own[0]
         watch.writes |= self._own[1]
+        return watch
 
     def pause(self) -> None:
         self._slices = self._goal = None
@@ -104,7 +106,12 @@ class Debuggee:
     def advance(self) -> Halt | None:
         """Run a slice; return why the machine stopped, if it did."""
         assert self._slices is not None
-        stop = next(self._slices)
+        try:
+            stop = next(self._slices)
+        except Exception as error:
+            if not (said := fault(error)):
+                raise
+            return Halt("exception", said)
         return None if stop.reason is Reason.LIMIT else self._halted(stop)
 
     def over(self) -> Halt | None:
@@ -137,18 +144,14 @@ class Debuggee:
 
     def back_to(self, look: motion.Look) -> Halt:
         """Undo as far as the last breakpoint, else all; `look` as in rewind.until_stopped."""
-        points, machine, watched = self.breakpoints, self.monitor.machine, Watch()
-        self.put_points()
-        points.put_into(watched)
-        watched.breakpoints |= self._own[0]
-        watched.writes |= self._own[1]
+        points, machine = self.breakpoints, self.monitor.machine
 
         def stops(of_words: bool) -> bool:
             if self._own[1] & machine.watch.written if of_words else self._own[0] & reached(machine):
                 return True
             return any((point.kind == DATA) == of_words for point in points.stopped(machine))
 
-        stopped = motion.back_to(self.monitor.history, watched, stops, look)
+        stopped = motion.back_to(self.monitor.history, self.put_points(), stops, look)
         self.monitor.went_back()
         if not stopped:
             return Halt("entry", "here the history begins")

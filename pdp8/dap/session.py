@@ -18,6 +18,7 @@ from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.requests import checked
 from pdp8.dap.wire import Body, MessageError, Wire
+from pdp8.fitting import fault
 from pdp8.monitor import simh
 from tapes.errors import WorkError
 
@@ -132,8 +133,10 @@ class Session:
         except WorkError as error:
             self._wire.respond(message, error=str(error))
         except Exception as error:
-            self._wire.respond(message, error=f"{name}: a fault of the debugger, please report it: {error!r}")
-            self._put_out("stderr", format_exc())
+            said = fault(error)
+            ours = f"{name}: a fault of the debugger, please report it: {error!r}"
+            self._wire.respond(message, error=said or ours)
+            self._put_out("stderr", "" if said else format_exc())
         else:
             self._wire.respond(message, body)
         finally:
@@ -151,12 +154,15 @@ class Session:
         if name not in _OF_THE_MACHINE:
             raise WorkError(f"{name}: this debugger has no such request")
         debuggee = self._loaded
-        moment, watch = debuggee.moment, debuggee.monitor.machine.watch
+        moment, machine = debuggee.moment, debuggee.monitor.machine
+        watch = machine.watch
         watch.written.clear()  # a command may step or go back, unwatched
         watch.read.clear()
         try:
             return _OF_THE_MACHINE[name](debuggee, arguments)
         finally:
+            if debuggee.monitor.machine is not machine:  # `restore` and `set cpu` put another one there
+                self._place_anew(reloaded=False)
             if debuggee.monitor.finished:
                 self._after.append(self._finish)
             elif debuggee.moment != moment:  # a command of the monitor has moved the machine
@@ -184,7 +190,8 @@ class Session:
     def _load(self, launch: Launch) -> None:
         made = Debuggee(launch, self._breakpoints, self._first_line)
         self._leave()
-        self._room, self._finished = made, False
+        self._room, self._runs, self._finished = made, False, False
+        self._place_anew(reloaded=True)
 
     def _leave(self) -> None:
         """Save what the machine leaves, if there is one: the tapes in its punches, and its reels."""
@@ -207,9 +214,11 @@ class Session:
     def _restart(self, arguments: Body) -> None:
         given = arguments.get("arguments")
         self._load(Launch.of(given) if given else self._loaded.launch)
-        for moved in self._breakpoints.place_anew(self._loaded.monitor, self._loaded.places):
-            self._wire.event("breakpoint", reason="changed", breakpoint=moved)
         self._begin(arguments)
+
+    def _place_anew(self, reloaded: bool) -> None:
+        for moved in self._breakpoints.place_anew(self._loaded.monitor, self._loaded.places, reloaded):
+            self._wire.event("breakpoint", reason="changed", breakpoint=moved)
 
     def _finish(self) -> None:
         self._runs = False

@@ -8,7 +8,7 @@ from inspect import signature
 from textwrap import wrap
 from typing import NamedTuple
 
-from pdp8 import shelf
+from pdp8 import fitting, shelf
 from pdp8.monitor import debugging, keystrokes, past, rack, running, simh, tapes
 from pdp8.monitor.arguments import MonitorError, as_it_stands, command, some, split
 from pdp8.monitor.prompt import Monitor
@@ -97,6 +97,8 @@ def do_file(monitor: Monitor, name: str, *more: str) -> None:
                     if label not in labels:
                         raise MonitorError(f"{label}: no line begins with it")
                     number = labels[label]
+                if monitor.stopping:
+                    raise MonitorError("stopped")
             except WorkError as error:
                 raise MonitorError(f"{called(name)}, line {number}: {error}") from error
     finally:
@@ -198,9 +200,14 @@ def find(word: str) -> Command:
 def do(monitor: Monitor, line: str) -> None:
     """Carry out one line; blank lines and comments do nothing. Raises WorkError."""
     name, rest = command(line)
-    monitor.stopping = False
+    monitor.stopping = monitor.stopping and monitor.depth > 0  # a script is stopped, not its line alone
     if name:
         found = find(name)
         if found.name in _RUNS:
             monitor.expected = len(monitor.machine.teletype.printer.frames)
-        found.action(monitor, *found.words(rest))
+        try:
+            found.action(monitor, *found.words(rest))
+        except Exception as error:
+            if said := fitting.fault(error):
+                raise MonitorError(said) from error
+            raise

@@ -7,14 +7,13 @@ from itertools import cycle as cycle_of
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
 from pdp8.computer.hardware.extension import FIELD, MEMORY
-from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import counted
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Observer, Watch
 from pdp8.monitor.arguments import MonitorError, octal, seconds, some
-from pdp8.monitor.prompt import Monitor
+from pdp8.monitor.prompt import Monitor, Observers
 
 REGISTERS = {
     "ac": 0o7777,
@@ -204,31 +203,15 @@ class _Said(Trace):
     """A trace that the monitor says; `pdp8 run --trace` writes another."""
 
 
-class _Observers:
-    """Observers of the same runs: traces and a count."""
-
-    def __init__(self, each: list[Observer]) -> None:
-        self.each = each
-
-    def cycle(self, processor: Processor, interrupt: bool) -> None:
-        for observer in self.each:
-            observer.cycle(processor, interrupt)
-
-    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
-        for observer in self.each:
-            observer.waited(processor, instructions, ticks)
-
-
-def _observers(monitor: Monitor) -> list[Observer]:
-    observer = monitor.machine.watch.observer
-    return observer.each if isinstance(observer, _Observers) else [observer] if observer else []
+class _Counted(Count):
+    """What the monitor counts; `pdp8 run --count` counts another."""
 
 
 def _observe(monitor: Monitor, kind: type[Observer], observer: Observer | None) -> None:
     """Let `observer` see what is done from now on, or none of this kind; observers of another stay."""
-    each = [other for other in _observers(monitor) if not isinstance(other, kind)]
+    each = [other for other in monitor.observers() if not isinstance(other, kind)]
     each += [observer] if observer else []
-    monitor.machine.watch.observer = _Observers(each) if each else None
+    monitor.machine.watch.observer = Observers(each) if each else None
 
 
 def _traced(monitor: Monitor, count: str, cycles: bool) -> None:
@@ -258,16 +241,16 @@ def trace(monitor: Monitor, what: str) -> None:
 
 def count(monitor: Monitor, what: str = "") -> None:
     """Count, from now on, what is done; say it, or the listing with its counts; or count no longer."""
-    counts = [each for each in _observers(monitor) if isinstance(each, Count)]
+    counts = [each for each in monitor.observers() if isinstance(each, Count)]
     if what in ("on", "off"):
-        _observe(monitor, Count, Count() if what == "on" else None)
+        _observe(monitor, _Counted, _Counted() if what == "on" else None)
     elif what not in ("", "listing"):
         raise MonitorError(f"{what}: on, off or listing, or nothing")
     elif not counts:
         raise MonitorError("nothing is counted: count on begins")
     else:
         report = counted.annotated if what else counted.table
-        for line in report(counts[0], monitor.listing):
+        for line in report(counts[-1], monitor.listing):
             monitor.say(line)
 
 

@@ -9,6 +9,8 @@ import re
 from collections.abc import Callable
 
 from pdp8 import fitting
+from pdp8.computer.count import Count
+from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.past.history import History
@@ -17,13 +19,30 @@ from pdp8.computer.use import ending
 from pdp8.computer.use.operator import Operator, Pace
 from pdp8.computer.use.program import FOUND
 from pdp8.computer.use.trace import Listing
+from pdp8.computer.watch import Observer
 from pdp8.monitor.arguments import MonitorError, octal
 from pdp8.reels import Reels
+from tapes.quantities import ranges
 
 _ENDED = {Reason.TAPE_OUT: "waits for a tape"}
 _RANGE = re.compile(r"\d+-\d+")
 HANDS = 0.1
 """Seconds the operator takes to press a key."""
+
+
+class Observers:
+    """Observers of the same runs: traces and counts."""
+
+    def __init__(self, each: list[Observer]) -> None:
+        self.each = each
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        for observer in self.each:
+            observer.cycle(processor, interrupt)
+
+    def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
+        for observer in self.each:
+            observer.waited(processor, instructions, ticks)
 
 
 class Monitor:
@@ -90,14 +109,27 @@ class Monitor:
         self.shown = min(self.shown, frames)
         while self._waiting[-1][0] > self.machine.processor.clock:
             self._waiting.pop()
+        for each in self.observers():
+            if isinstance(each, Count):
+                each.went_back = True
+
+    def observers(self) -> list[Observer]:
+        """Return what observes the machine's runs."""
+        observer = self.machine.watch.observer
+        return observer.each if isinstance(observer, Observers) else [observer] if observer else []
 
     def turn_to(self, text: str) -> None:
-        """Use the machine of state `text`; devices, reels, breakpoints and pace stay."""
+        """Use the machine of state `text`; devices, reels, breakpoints within its core and pace stay."""
         watch, pace = self.machine.watch, self.operator.pace
         fitted = [type(device)() for device in self.machine.devices]
-        mount = "attach dtN FILE mounts it"
-        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known(), mount))
+        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known()))
         self.machine.watch, self.operator.pace = watch, pace
+        memory = self.machine.memory
+        beyond = {at for at in watch.breakpoints | watch.writes | watch.reads if at >= memory}
+        if beyond:
+            self.say(f"not watched any more, beyond {memory - 1:o}: {ranges(beyond)}")
+        for points in (watch.breakpoints, watch.writes, watch.reads):
+            points.difference_update(beyond)
 
     def say_where(self, why: str) -> None:
         """Say where the machine is now, `why`, and at what time."""

@@ -2,20 +2,26 @@
 
 import copy
 import json
+import re
+from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from pdp8 import fitting
-from pdp8.computer.hardware.highspeed import HighSpeed
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import program
+from pdp8.dap.breakpoints import Breakpoints
+from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
+from pdp8.dap.session import Session
+from pdp8.monitor.arguments import MonitorError
 from pdp8.web import translator
 from pdp8.web.translator.modules import translate
-from tapes.errors import WorkError
 from tests.conftest import Call
+from tests.pdp8.dap.test_wire import framed, spoken
+from tests.pdp8.monitor import do
 from tests.pdp8.web.node import in_node, needs_node, write
 from tests.test_readme import FILE, HOUSE
 
@@ -151,34 +157,57 @@ def test_what_is_no_device_is_refused(call: Call) -> None:
         f"{BODY[: BODY.rindex('return')]}self.lamps = ac; return 0\n"
         f"class Forgets(Device):\n CODE = 0o13\n fields = {{'period': 1}}\n{BODY}"
     )
+    call("pdp8 run hello.pal --save own.state")
     for name, message in REFUSED.items():
-        status, out, said = call(f"pdp8 run ticks.pal --device {name}")
-        assert (status, out) == (1 + ("are devices" in message), ""), (name, said)
-        assert message in said, (name, said)
+        for begun in ("ticks.pal", "--restore own.state"):
+            status, out, said = call(f"pdp8 run {begun} --device {name}")
+            misuse = "are devices" in message or message.endswith(" too")
+            assert (status, out) == (2 if misuse else 1, ""), (name, said)
+            assert message in said, (name, said)
 
 
-def test_a_bus_refuses_by_name() -> None:
-    (clock,) = fitting.devices(["clock.py:Clock"])
-    for code in (0, -1, 0o100):
-        with pytest.raises(ValueError, match="01 to 77 are allowed"):
-            Machine().bus.connect(code, HighSpeed().reader_control)
-    made = Machine()
-    fitting.fit(made, [clock])
-    with pytest.raises(WorkError, match="Clock: device 13 is fitted already"):
-        fitting.fit(made, [clock])
-
-
-def test_an_error_in_a_device_names_its_line_and_none_of_ours_is_hidden(
-    call: Call, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        ("1 / 0", "clock.py, line {}: ZeroDivisionError: division by zero"),
+        (
+            "return",
+            "a device of your own: its pulse returned no number; 0, SKIP, CLEAR_AC and words are answers",
+        ),
+    ],
+)
+def test_an_error_in_a_device_names_its_line(fault: str, said: str, call: Call) -> None:
+    """Who debugs it stays at the monitor and in the debugger."""
     clock = Path("clock.py").read_text()
     pulse = "    def pulse(self, iop: int, ac: int, now: int) -> int:\n"
     assert pulse in clock
-    Path("clock.py").write_text(clock.replace(pulse, f"{pulse}        1 / 0\n"))
-    line = clock[: clock.index(pulse)].count("\n") + 2
-    said = f"clock.py, line {line}: ZeroDivisionError: division by zero\n"
-    assert call("pdp8 run --device clock.py:Clock ticks.pal") == (1, "", f"pdp8 run: {said}")
+    Path("clock.py").write_text(clock.replace(pulse, f"{pulse}        if ac == 1:\n            {fault}\n"))
+    said = said.format(clock[: clock.index(pulse)].count("\n") + 3)
+    Path("own.pal").write_text("*200\n\tCLA IAC\n\t6131\n$\n")
+    assert call("pdp8 run --device clock.py:Clock own.pal") == (1, "", f"pdp8 run: {said}\n")
+    debuggee = Debuggee(Launch.of({"program": "own.pal", "device": ["clock.py:Clock"]}), Breakpoints())
+    with pytest.raises(MonitorError, match=re.escape(said)):
+        do(debuggee.monitor, "go 200")
+    do(debuggee.monitor, "deposit 201 7402", "go 200", "deposit 201 6131", "set pc 200")
+    debuggee.run()
+    assert debuggee.advance() == Halt("exception", said)
+    asked = {"program": "own.pal", "device": "clock.py:Clock", "stopOnEntry": True}
+    told = BytesIO()
+    Session(
+        BytesIO(
+            framed(
+                *(
+                    {"type": "request", "command": name, "arguments": asked}
+                    for name in ("launch", "configurationDone", "next", "next")
+                )
+            )
+        ),
+        told,
+    ).serve()
+    assert spoken(told.getvalue())[-1]["message"] == said
 
+
+def test_an_error_of_ours_is_not_hidden(call: Call, monkeypatch: pytest.MonkeyPatch) -> None:
     def broken(machine: Machine) -> str:
         raise KeyError("ours")
 

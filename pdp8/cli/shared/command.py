@@ -178,7 +178,9 @@ def status(command: click.Command, name: str, arguments: Sequence[str]) -> int:
             ended = command.main(list(arguments), name, standalone_mode=False, help_option_names=_HELP)
         sys.stdout.flush()
     except WorkError as error:
-        return _complain(f"{_path(command, name, arguments)}: {error}", error.exit_status)
+        path = _path(command, name, arguments)
+        hint = f"\n{path} --help shows what there is" * (error.exit_status == 2)
+        return _complain(f"{path}: {error}{hint}", error.exit_status)
     except _NoArguments as error:
         return _complain(error.format_message(), error.exit_code)
     except click.ClickException as error:

@@ -13,7 +13,7 @@ _COLUMN = 12
 def table(count: Count, listing: Listing) -> Iterator[str]:
     """Yield the lines of a table for people."""
     done, cycles = counted(count.instructions, "instructions"), counted(count.cycles, "cycles")
-    yield f"{done}, {cycles}, {_time(count.ticks)}"
+    yield f"{done}, {cycles}, {_time(count.ticks)}" + ", with what was undone" * count.went_back
     share = 100 * count.waiting / count.ticks if count.ticks else 0
     yield f"waiting {share:.2f} %, {_time(count.waiting)}"
     if count.interrupts:

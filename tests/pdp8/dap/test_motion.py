@@ -230,17 +230,22 @@ def test_the_places_that_a_subroutine_returns_to(words: dict[int, int], places: 
 
 
 @in_both_fields
-@pytest.mark.parametrize(("undebugged", "kind"), [(True, "step"), (False, ADDRESSES)])
+@pytest.mark.parametrize(
+    ("undebugged", "kind", "at"),
+    [(True, "step", 0o201), (False, ADDRESSES, 0o201), (True, "step", 0o202), (False, DATA, 0o202)],
+)
 def test_a_step_over_ends_at_a_breakpoint_unless_there_is_no_debugging(
-    undebugged: bool, kind: str, field: int, tmp_path: Path
+    undebugged: bool, kind: str, at: int, field: int, tmp_path: Path
 ) -> None:
+    """At 0201, to which the call returns, or as 0202 is written, which holds that."""
     debuggee = began("*200\nJMS A\nHLT\nA,0\nJMP I A\n$\n", tmp_path, field, noDebug=undebugged)
-    name = f"{field | 0o201:o}"
-    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, ADDRESSES, "", [(name, {"name": name})])
+    name = f"{field | at:o}"
+    points, asked = (ADDRESSES, "name") if at == 0o201 else (DATA, "dataId")
+    debuggee.breakpoints.put(debuggee.monitor, debuggee.places, points, "", [(name, {asked: name})])
     halt = debuggee.over()
     while halt is None:
         halt = debuggee.advance()
-    assert (halt.reason, debuggee.monitor.machine.pc) == (kind, field | 0o201)
+    assert (halt.reason, debuggee.monitor.machine.pc) == (kind, field | (0o203 if kind == DATA else 0o201))
 
 
 def test_what_the_console_lets_a_run_stop_at_stays_until_it_is_forgotten(tmp_path: Path) -> None:

@@ -204,6 +204,30 @@ def test_a_word_is_watched_for_nothing_else(folder: Path) -> None:
     )
 
 
+def test_breakpoints_look_at_the_machine_that_is_there(folder: Path) -> None:
+    """`set cpu` and `restore` put another one there; what lies beyond its core stops nothing."""
+    beyond = ["setFunctionBreakpoints", {"breakpoints": [{"name": "10200"}]}]
+    word = [{"instructionReference": "0x4000"}, {"instructionReference": "0x0", "offset": -2}]
+    seen = play(
+        folder,
+        *launched({"program": "counts.pal"}, lines({"line": 3, "condition": "M == 7763"})),
+        ["setInstructionBreakpoints", {"breakpoints": word}],
+        *(console("set cpu 8k"), beyond, console("break 10300")),
+        [*console("set cpu 4k"), "breakpoint"],
+        *map(console, ("save s", "restore s")),
+        ["continue", {"threadId": 1}, "stopped"],
+        console("M"),
+    )
+    nowhere, _, there, _, gone, *_, stopped, m = seen.answers[4:]
+    assert [each["message"] for each in nowhere["body"]["breakpoints"]] == [
+        *("20000: no address of core", "-1: no address of core")
+    ]
+    assert there["body"]["breakpoints"][0]["verified"]
+    assert "not between 0000 and 7777" in gone["event"]["breakpoint"]["message"]
+    assert stopped["event"]["hitBreakpointIds"] == [1]
+    assert m["body"]["result"].split()[1] == "7763"
+
+
 EDITED = "*200\n\tCLA\n" + COUNTS.removeprefix("*200\n")
 
 

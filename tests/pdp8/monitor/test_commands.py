@@ -58,22 +58,28 @@ def test_what_ctrl_c_sets_is_the_stop_key_once() -> None:
     assert len(said) - before == 4
 
 
-def test_all_points_of_all_fields_are_forgotten() -> None:
+def test_all_points_of_all_fields_are_forgotten_and_those_of_a_field_that_is_taken_out() -> None:
     said: list[str] = []
-    do(Monitor(said.append), "set cpu 8k", "break 10200 300", "watch 10300", "forget", "break", "watch")
-    assert said == ["none", "none"]
+    points = "set cpu 8k", "break 10200 300", "watch 10300"
+    do(Monitor(said.append), *points, "forget", "break", "watch", *points, "set cpu 4k", "break", "watch")
+    assert said == ["none", "none", "not watched any more, beyond 7777: 10200, 10300", "0300", "none"]
 
 
-def test_a_traced_step_is_the_last_after_ctrl_c() -> None:
+def test_a_traced_step_is_the_last_after_ctrl_c_and_the_last_line_of_a_script() -> None:
     said: list[str] = []
 
     def say(line: str) -> None:
         said.append(line)
-        made.stopping = len(said) == 2
+        made.stopping = len(said) in (2, 4)
+        assert len(said) < 9
 
     made = Monitor(say)
     do(made, "step 5")
     assert len(said) == 2
+    Path("loop").write_text(":L\nstep\ngoto L\n")
+    with pytest.raises(MonitorError, match="loop, line 2: stopped"):
+        do(made, "do loop")
+    assert len(said) == 4
 
 
 def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not() -> None:
@@ -188,6 +194,15 @@ def test_whatever_lets_the_machine_run_is_counted(monitor: Monitor, said: list[s
         found = next(line for line in reversed(said) if " instructions, " in line)
         assert found.startswith(f"{monitor.machine.instructions - before:,} instructions"), name
         assert monitor.machine.instructions > before
+    assert "undone" not in found
+    do(monitor, "back", "count")
+    assert any(line.endswith(", with what was undone") for line in said)
+
+
+def test_who_counts_the_run_counts_on_beside_the_monitor(monitor: Monitor) -> None:
+    with monitor.machine.count() as count:
+        do(monitor, "step", "count on", "step", "count off", "step", "count")
+    assert count.instructions == 3
 
 
 def test_words_of_8k_are_counted_to_its_end() -> None:

@@ -13,6 +13,6 @@ STATES = 8
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("vectors")
-    for name, content in files(STATES):
+    for name, content in files(STATES, pipan8l=True):
         (folder / name).write_bytes(content)
     return folder

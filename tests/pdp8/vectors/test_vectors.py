@@ -12,9 +12,11 @@ from typing import Any
 import pytest
 
 from pal.models import MODELS
+from pdp8.cli.shared.progress import Bar
+from pdp8.vectors import folder as contents
 from pdp8.vectors import runner
 from pdp8.vectors.folder import GROUPS
-from tests.conftest import Shell, case
+from tests.conftest import Call, Shell, case
 from tests.pdp8.vectors.conftest import STATES
 
 Vectors = dict[str, list[dict[str, Any]]]
@@ -29,10 +31,29 @@ def vectors(folder: Path) -> Vectors:
 @pytest.mark.slow("all vectors, twice")
 def test_made_twice_they_are_the_same_bytes(folder: Path, shell: Shell) -> None:
     """The second time by the command, in another process."""
-    done = shell(f"PYTHONHASHSEED=7 pdp8 vectors --out again --states {STATES} && cd again && cksum *")
+    done = shell(
+        f"PYTHONHASHSEED=7 pdp8 vectors --out again --states {STATES} --pipan8l && cd again && cksum *"
+    )
     assert done.returncode == 0, done.stderr
     first = subprocess.run("cksum *", shell=True, cwd=folder, capture_output=True, check=True)
     assert done.stdout == first.stdout
+
+
+@pytest.mark.parametrize("more", ["", " --pipan8l"])
+def test_the_bar_is_full_with_the_last_file(
+    more: str, folder: Path, call: Call, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    names = [path.name for path in folder.iterdir() if more or path.name != "hands.tcl"]
+    monkeypatch.setattr(contents, "files", lambda states, pipan8l: ((name, b"") for name in names))
+    totals: list[int] = []
+
+    def bar(label: str, total: int) -> Bar:
+        totals.append(total)
+        return Bar(label, total)
+
+    monkeypatch.setattr("pdp8.cli.vectors.Bar", bar)
+    assert call(f"pdp8 vectors --out {tmp_path}{more}")[0] == 0
+    assert totals == [len(names)]
 
 
 def test_every_word_is_there_in_so_many_states(vectors: Vectors) -> None:
