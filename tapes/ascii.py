@@ -21,7 +21,8 @@ from tapes.errors import TapeError, TextError
 
 CR, LF, RUBOUT = 0o015, 0o012, 0o177
 
-_FIGURES = bytes(code | channel_8 for code in b"0123456789 \r\n\0\x7f" for channel_8 in (0, 0o200))
+_SPACING = bytes(code | channel_8 for code in b" \r\n\0\x7f" for channel_8 in (0, 0o200))
+_FIGURES = _SPACING + bytes(code | channel_8 for code in b"0123456789" for channel_8 in (0, 0o200))
 _MANY = 20
 _SPLICE = 6
 """A tape is taken for two pieces of different parity only if that saves so many faults."""
@@ -74,8 +75,8 @@ def ends_blocks(frames: bytes) -> bool:
 
 
 def only_figures(frames: bytes) -> bool:
-    """Whether a tape holds nothing but figures and line ends: data, and no program's source."""
-    return not frames.translate(None, _FIGURES)
+    """Whether a tape holds figures, and nothing else but line ends: data, and no program's source."""
+    return not frames.translate(None, _FIGURES) and frames.translate(None, _SPACING) != b""
 
 
 class _Ascii(Characters):
