@@ -266,7 +266,11 @@ def _check(machine: Machine) -> None:
     for _, part in walk(machine.parts()):
         if isinstance(part, Reader) and part.position > len(part.tape):
             raise StateError(f"the reader stands at frame {part.position} of a tape of {len(part.tape)}")
-    p, waiting = machine.processor, machine.waiting
+    p, waiting, x = machine.processor, machine.waiting, machine.processor.extension
+    used = (x.field, x.inst_field, x.data_field, x.inst_buffer, x.saved_inst, x.saved_data)
+    for field in (*used, x.inst_switch, x.data_switch):
+        if field % FIELD != 0 or field >= machine.memory:
+            raise StateError(f"extension: {field:05o} is no field of {machine.memory} words of core")
     if (p.next > INTERRUPT) != (machine.bus.in_break() is not None):
         raise StateError("processor next: must be 4 to 6, as a device has a data break")
     if waiting.clock > p.clock or waiting.instructions > p.instructions:

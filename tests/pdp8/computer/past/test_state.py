@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from pdp8.computer.hardware.extension import Extension
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from tests.pdp8.computer.bench import machine
@@ -100,6 +101,12 @@ OBJECT, OCTAL, NUMBER = (
         (given(devices={"100": {}}), f'devices 100: "100" {OCTAL} 77'),
         (given(devices={"3": {}}), "devices 3: the state needs a device of this code"),
         (given(memory=5000), "memory: 5000 words; 4096, 8192, "),
+        *(
+            (given(memory=8192, extension={name: field}), f"extension: {field} is no field of 8192 words")
+            for name, kind in Extension.fields.items()
+            for field in ("10001", "20000")
+            if kind == "70000"
+        ),
         (given(memory=4095), f"memory: 4095 {NUMBER} 4096 to 32768"),
         (given(memory=32769), f"memory: 32769 {NUMBER} 4096 to 32768"),
         (given(devices=[]), f"devices: [] {OBJECT}"),
@@ -151,10 +158,10 @@ def test_what_is_no_state_is_refused_by_its_place(text: str, message: str) -> No
 
 
 def test_the_largest_values_are_taken() -> None:
-    m = state.restore(
-        given(core={"7777": "7777"}, processor={"clock": 1 << 56, "run": 1, "next": 3, "pc": "7777"})
-    )
-    assert (m.processor.clock, m.pc, m.core[0o7777], m.processor.next) == (1 << 56, 0o7777, 0o7777, 3)
+    fields = dict.fromkeys(("inst_field", "inst_buffer"), "10000")
+    processor = {"clock": 1 << 56, "run": 1, "next": 3, "pc": "7777"}
+    m = state.restore(given(memory=8192, extension=fields, core={"17777": "7777"}, processor=processor))
+    assert (m.processor.clock, m.pc, m.core[0o17777], m.processor.next) == (1 << 56, 0o17777, 0o7777, 3)
 
 
 def test_five_tapes_of_2_mib_are_not_too_large() -> None:
