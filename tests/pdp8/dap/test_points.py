@@ -195,32 +195,26 @@ def test_an_instruction_that_writes_two_words_stops_for_both(folder: Path) -> No
     assert seen.answers[-1]["event"]["hitBreakpointIds"] == [1, 2]
 
 
-def test_a_word_is_watched_for_nothing_else(folder: Path) -> None:
-    asked = ["setDataBreakpoints", {"breakpoints": [{"dataId": "N", "accessType": "execute"}]}]
-    answer = play(folder, *launched({"program": "counts.pal"}, asked)).answers[2]
-    assert (
-        answer["body"]["breakpoints"][0]["message"]
-        == "execute: a word is watched for read, write or readWrite"
-    )
-
-
 def test_breakpoints_look_at_the_machine_that_is_there(folder: Path) -> None:
     """`set cpu` and `restore` put another one there; what lies beyond its core stops nothing."""
     beyond = ["setFunctionBreakpoints", {"breakpoints": [{"name": "10200"}]}]
-    word = [{"instructionReference": "0x4000"}, {"instructionReference": "0x0", "offset": -2}]
+    places = [{"instructionReference": "0x4000"}, {"instructionReference": "0x0", "offset": -2}]
+    word = {"dataId": "N", "accessType": "execute"}
     seen = play(
         folder,
         *launched({"program": "counts.pal"}, lines({"line": 3, "condition": "M == 7763"})),
-        ["setInstructionBreakpoints", {"breakpoints": word}],
+        ["setInstructionBreakpoints", {"breakpoints": places}],
+        ["setDataBreakpoints", {"breakpoints": [word]}],
         *(console("set cpu 8k"), beyond, console("break 10300")),
         [*console("set cpu 4k"), "breakpoint"],
         *map(console, ("save s", "restore s")),
         ["continue", {"threadId": 1}, "stopped"],
         console("M"),
     )
-    nowhere, _, there, _, gone, *_, stopped, m = seen.answers[4:]
-    assert [each["message"] for each in nowhere["body"]["breakpoints"]] == [
-        *("20000: no address of core", "-1: no address of core")
+    nowhere, unused, _, there, _, gone, *_, stopped, m = seen.answers[4:]
+    assert [each["message"] for of in (nowhere, unused) for each in of["body"]["breakpoints"]] == [
+        *("20000: no address of core", "-1: no address of core"),
+        "execute: a word is watched for read, write or readWrite",
     ]
     assert there["body"]["breakpoints"][0]["verified"]
     assert "not between 0000 and 7777" in gone["event"]["breakpoint"]["message"]
@@ -278,15 +272,6 @@ def test_after_an_edit_a_breakpoint_goes_where_its_line_went(folder: Path) -> No
     assert stopped["event"]["hitBreakpointIds"] == [1]
     assert stack["body"]["stackFrames"][0]["line"] == 5
     assert [point["id"] for point in again["body"]["breakpoints"]] == [1, 2]
-
-
-def test_a_source_that_changes_under_the_session_is_said(folder: Path) -> None:
-    edit = f"import pathlib; pathlib.Path('counts.pal').write_text({EDITED!r})"
-    seen = play(
-        folder, *launched({"program": "counts.pal"}), ["edit", edit], ["next", {"threadId": 1}, "stopped"]
-    )
-    said = [text for category, text in seen.output if "was changed: restart" in text]
-    assert len(said) == 1
 
 
 def test_a_command_that_halts_the_machine_is_told_as_a_stop(folder: Path) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import fields as fields_of
 from io import BytesIO
-from itertools import product
+from itertools import cycle, product
 from pathlib import Path
 from typing import Any
 
@@ -171,17 +171,32 @@ def test_a_tape_is_written_when_an_editor_leaves_a_run(leaves: str, tmp_path: Pa
         assert events[-1]["event"] == "terminated"
 
 
-def test_a_source_that_has_changed_is_named_before_the_stop(
+def test_a_source_that_has_changed_is_named_once_before_the_stop(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     program = tmp_path / "own.pal"
     program.write_text("*200\n\tNOP\n\tHLT\n$\n")
-    monkeypatch.setattr(Debuggee, "pause", lambda debuggee: program.write_text("*200\n\tHLT\n$\n"))
-    heard = held(("launch", {"program": str(program), "stopOnEntry": True}), ("configurationDone", {}))
+    edits = iter(["*200\n\tHLT\n$\n"])
+    monkeypatch.setattr(Debuggee, "pause", lambda debuggee: [*map(program.write_text, edits)])
+    launch = {"program": str(program), "stopOnEntry": True}
+    heard = held(("launch", launch), ("configurationDone", {}), ("stepIn", {}))
     events = [
         each["event"] for each in heard if "stopped" in str(each) or "was changed: restart" in str(each)
     ]
-    assert events == ["output", "stopped"]
+    assert events == ["output", "stopped", "stopped"]
+
+
+def test_a_second_launch_waits_for_its_breakpoints(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    turns = cycle([False, True])
+    monkeypatch.setattr(Wire, "holds", property(lambda self: next(turns)))
+    for name, source in (
+        ("runs.pal", "*200\n\tISZ 10\n\tJMP .-1\n\tJMP 200\n$\n"),
+        ("halts.pal", "*200\n\tHLT\n$\n"),
+    ):
+        (tmp_path / name).write_text(source)
+    runs, halts = (("launch", {"program": str(tmp_path / name)}) for name in ("runs.pal", "halts.pal"))
+    heard = held(runs, ("configurationDone", {}), halts, ("threads", {}), ("threads", {}))
+    assert "stopped" not in [each.get("event") for each in heard]
 
 
 def test_a_pause_while_the_machine_stands_is_not_remembered() -> None:
