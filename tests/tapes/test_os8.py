@@ -40,6 +40,7 @@ def test_a_text_is_packed_three_characters_in_two_words() -> None:
     assert [f"{word:04o}" for word in packed[:4]] == ["6301", "1702", "4615", "5212"]
     assert os8.text(packed) == "ABC\n"
     assert os8.from_text("ABC\r\n") == os8.from_text("ABC\r") == packed
+    assert os8.text(os8.pack(b"A\rB\r\nC")) == "A\nB\nC"
 
 
 def test_two_hundred_files_are_there_as_they_were_put() -> None:
