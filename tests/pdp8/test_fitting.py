@@ -90,12 +90,6 @@ def test_the_monitor_fits_it_restores_it_and_steps_back(call: Call) -> None:
     assert NEEDED in call("pdp8 monitor script")[2]
 
 
-def test_the_debugger_fits_it() -> None:
-    monitor, _ = Launch.of({"program": "ticks.pal", "device": ["clock.py:Clock"]}).ready(str)
-    assert monitor.machine.run()[:2] == ("halt", 0o210)
-    assert copy.deepcopy(monitor.machine).bus.device(0o13) is not None
-
-
 def test_a_device_in_place_of_the_fast_reader_is_restored_as_itself() -> None:
     (clock,) = fitting.devices(["clock.py:Clock"])
     clock.CODE = 0o01

@@ -239,15 +239,6 @@ def test_a_configuration_is_taken_or_refused(
     assert (said or "") in answer.get("message", "")
 
 
-def test_devices_and_core_are_as_configured(program: str) -> None:
-    found = []
-    for given in ({}, {"highspeed": True}, {"device": ["highspeed"]}, {"memory": "8k"}):
-        monitor, _ = Launch.of({"program": [program], **given}).ready(lambda line: None)
-        found.append((len(monitor.machine.devices), len(monitor.machine.core)))
-    (plain, core), *others = found
-    assert others == [(plain + 1, core), (plain + 1, core), (plain, 2 * core)]
-
-
 def test_a_program_may_have_words_in_all_of_core(tmp_path: Path) -> None:
     first, second = (str(tmp_path / name) for name in ("first.pal", "second.pal"))
     Path(first).write_text("*200\n\tHLT\n")

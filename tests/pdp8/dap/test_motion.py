@@ -88,6 +88,8 @@ def test_an_interrupt_is_stepped_into_and_over() -> None:
     assert (machine.pc, machine.core[0]) == (1, interrupted)
     motion.into(machine)
     assert [frame.entry for frame in calls.frames(list(machine.core), machine.pc, machine.ion)] == [0, None]
+    _, caller, *_ = calls.frames(2 * list(machine.core), machine.pc, machine.ion, 0o10000)
+    assert caller.address == 0o10000 | interrupted
     machine = again
     _, goal = motion.over(machine)
     assert goal is not None

@@ -76,10 +76,13 @@ def test_a_traced_step_is_the_last_after_ctrl_c_and_the_last_line_of_a_script() 
     made = Monitor(say)
     do(made, "step 5")
     assert len(said) == 2
+    do(made, "deposit 0:40 7000", "set sing_step 1")
     Path("loop").write_text(":L\nstep\ngoto L\n")
     with pytest.raises(MonitorError, match="loop, line 2: stopped"):
         do(made, "do loop")
     assert len(said) == 4
+    do(made, "step 3")
+    assert len(said) == 7
 
 
 def test_a_wait_is_ended_by_ctrl_c_and_the_next_is_not() -> None:
