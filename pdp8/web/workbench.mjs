@@ -267,7 +267,7 @@ export class Bench {
       else if (source) this.#source(name, frames);
       else this.#tape(this.shelf.put(name, frames));
     } catch (/** @type {any} */ error) {
-      const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : String(error.message ?? error);
+      const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : why(error);
       this.say(said.startsWith(name) ? said : `${name}: ${said}`);
     }
   }
@@ -377,17 +377,19 @@ export class Bench {
 
   /** Open what a link or a file of a session holds. */
   #open(/** @type {any} */ { program, machine, exercise, until, part }) {
+    const texts = [...(program ? [program.name, program.text] : []), ...(part ? [part.name] : [])];
+    if (texts.some((text) => typeof text !== "string")) throw new TypeError("a text is wanted");
     if (typeof exercise === "string") this.exercises.open(exercise);
-    else if (exercise) this.exercises.take(exercise.name, exercise.tables);
+    else if (exercise) this.exercises.take(String(exercise.name), exercise.tables);
     if (exercise) {
       this.tabs.open("exercises");
       const pane = find("exercises");
       requestAnimationFrame(() => pane.getBoundingClientRect().top > document.documentElement.clientHeight / 2 && pane.scrollIntoView());
     } else if (program) this.tabs.open("program");
-    if (program) this.editor.put(String(program.name), String(program.text));
+    if (program) this.editor.put(program.name, program.text);
     if (part) {
       this.tabs.open("parts");
-      this.parts.choose(String(part.name), part.typed);
+      this.parts.choose(part.name, part.typed ?? {});
       if (part.tape) this.parts.mill(String(part.tape));
     }
     if (!machine) return;
@@ -428,8 +430,8 @@ export class Bench {
       if (shared && shared.until === undefined && !shared.part) readdress(location.hash, false, true);
       return true;
     } catch (/** @type {any} */ error) {
-      readdress("");
-      this.say(`the link cannot be opened: ${error.message ?? error}`);
+      readdress(DESK);
+      this.say(`the link cannot be opened: ${why(error)}`);
       return false;
     }
   }
@@ -466,6 +468,11 @@ export class Bench {
     this.editor.enter();
     for (const place of [find("paper"), find("gutter"), document.querySelector("#gutter .line")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
   }
+}
+
+/** What there is to say of an error in what somebody else has made. */
+function why(/** @type {any} */ error) {
+  return error instanceof TypeError ? "a value in it is not what the page expects there" : String(error.message ?? error);
 }
 
 /** The browser has nothing else to do, or has been busy for a while. */

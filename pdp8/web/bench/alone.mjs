@@ -3,15 +3,17 @@
 
 const LEAST = 10; // seconds: in less nobody has done anything
 
-const seconds = Number(new URLSearchParams(globalThis.location?.search).get("rest"));
+const asked = new URLSearchParams(globalThis.location?.search);
+const seconds = Number(asked.get("rest"));
 /** The seconds after which it begins afresh; 0 where somebody attends. Nothing is kept from one visitor to the next. */
 export const RESTS = seconds > 0 ? Math.max(LEAST, seconds) : 0;
+/** The panes that it asks for, "" for all. */
+export const EMBED = asked.get("embed") ?? "";
 
 /** Show the panes that the address asks for, with the time bar; all, where it asks for none that is there. */
 export function embed(/** @type {import("./tabs.mjs").Tabs} */ tabs) {
-  const asked = (new URLSearchParams(location.search).get("embed") ?? "").split(",");
   const sections = [...document.querySelectorAll("[data-pane]")];
-  const shown = sections.filter((section) => asked.includes(String(section.dataset.pane)));
+  const shown = sections.filter((section) => EMBED.split(",").includes(String(section.dataset.pane)));
   if (!shown.length) return;
   document.body.classList.add("embed");
   for (const section of sections) section.classList.toggle("out", !shown.includes(section));

@@ -20,13 +20,19 @@ export class Apart {
     this.asked = new Map();
     this.number = 0;
     /** @type {Worker | null} */ this.worker = null;
+    this.unable = false; // whether this browser lets none run
   }
 
   #begin() {
+    this.unable = true;
     const scripts = [...document.querySelectorAll("script.code")].map(({ textContent }) => textContent);
     const url = URL.createObjectURL(new Blob(scripts, { type: "text/javascript" }));
     const worker = this.worker = new Worker(scriptAt(url));
-    worker.onerror = ({ message }) => this.#end(message ?? "this browser lets no Worker run");
+    this.unable = false;
+    worker.onerror = ({ message }) => {
+      this.unable = true;
+      this.#end(message ?? "this browser lets no Worker run");
+    };
     worker.onmessage = ({ data: [number, made, why] }) => {
       const { resolve, reject } = this.asked.get(number) ?? {};
       this.asked.delete(number);

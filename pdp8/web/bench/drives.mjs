@@ -72,7 +72,8 @@ export class Drives {
     bench.afternoon.takeOver();
     const { machine } = bench;
     bench.machine = bench.like(machine, [new TC08()], Math.max(machine.memory, 2 * FIELD));
-    bench.machine.watch.breakpoints = machine.watch.breakpoints; // a goal that it runs to may take one out
+    const { breakpoints, observer } = machine.watch; // a goal that it runs to may take a breakpoint out
+    Object.assign(bench.machine.watch, { breakpoints, observer });
   }
 
   /** A machine of a saved state, which may have a TC08 with reels that are here. */

@@ -37,7 +37,7 @@ export class Editor {
     this.name = this.laid = "";
     this.before = ""; // the text as it was kept or opened
     this.now = /** @type {number | null} */ (null); // the line that the processor is in
-    this.#found({ ok: false, tape: bytes(), words: [], places: [], diagnostics: [], more: 0, summary: "" });
+    this.#found(unmade(""));
     this.area.addEventListener("scroll", () => this.#draw());
     this.area.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
     this.area.addEventListener("paste", (/** @type {ClipboardEvent} */ event) => this.#paste(event));
@@ -113,17 +113,16 @@ export class Editor {
   }
 
   #warn() {
-    const { refused } = this.bench.programs;
-    if (refused) this.#say(`This browser keeps no programs for this page (${refused}): save them as files.`);
+    const { held, refused } = this.bench.programs;
+    if (refused) this.#say(`This browser does not keep ${[...held.keys()].join(", ") || "programs"} for this page (${refused}): save them as files.`);
   }
 
   #named(/** @type {string} */ name) {
     this.name = name;
     keep(OPEN, name);
     const options = (/** @type {string[]} */ names) => names.map((each) => html`<option>${each}</option>`);
-    const bundled = this.bench.shelf.names().filter((each) => each.endsWith(".pal"));
     put(find("sources"), html`<option value="">Open …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
-      <optgroup label="Bundled">${options(bundled)}</optgroup>`);
+      <optgroup label="Bundled">${options(this.bench.shelf.sources)}</optgroup>`);
   }
 
   #show(/** @type {string} */ text) {
@@ -171,13 +170,13 @@ export class Editor {
     const there = this.bench.programs.get(name);
     this.#named(this.name);
     if (name !== this.name || this.area.readOnly || there === this.text) return;
-    const [done, shown] = there === undefined ? ["deleted", ""] : ["changed", html`<button class="text" data-click="editor.back">Show it</button>`];
-    this.#say(html`${name} was ${done} in another tab. What is written here is kept beside it. ${shown}`);
+    if (there === undefined) this.#say(`${name} was deleted in another tab. It is kept again as soon as you write here.`);
+    else this.#say(html`${name} was changed in another tab. What is written here is kept beside it. <button class="text" data-click="editor.back">Show it</button>`);
   }
 
   choose(/** @type {HTMLSelectElement} */ list) {
     const { value, selectedOptions: [{ parentElement: { label } }] } = /** @type {any} */ (list);
-    if (label === "Yours") this.#turn(value);
+    if (label === "Yours") this.begin(value);
     else if (value) this.open(value, this.bench.shelf.get(value).frames);
     list.value = "";
   }
@@ -243,8 +242,7 @@ export class Editor {
       if (text === this.text) this.#found(found);
     } catch (/** @type {any} */ error) {
       if (text !== this.text) return;
-      if (!bench.apart.worker) this.#found(checked(name, text));
-      else this.#say(error.message);
+      this.#found(bench.apart.unable ? checked(name, text) : unmade(`Not assembled: ${error.message}.`));
     }
   }
 
@@ -451,7 +449,7 @@ export class Editor {
   write() {
     const { machine } = this.bench;
     const counts = find("counts").checked;
-    if (counts && machine.watch.observer !== this.counts) machine.watch.observer = this.counts;
+    if (counts && machine.watch.observer !== this.counts) this.count(find("counts")); // another machine
     if (find("program").hidden) return;
     const now = this.#inCore ? this.lineAt.get(instruction_at(machine.processor)) ?? null : null;
     if (now === this.now && !counts) return;
@@ -464,6 +462,11 @@ export class Editor {
     const top = (line - 1) * TALL - this.area.scrollTop;
     if (top < TALL || top > this.area.clientHeight - 3 * TALL) this.area.scrollTop = (line - 1) * TALL - this.area.clientHeight / 2;
   }
+}
+
+/** What is found in a source that is not assembled, and why it is not. */
+function unmade(/** @type {string} */ summary) {
+  return { ok: false, tape: bytes(), words: [], places: [], diagnostics: [], more: 0, summary };
 }
 
 function bounded(/** @type {string} */ text) {

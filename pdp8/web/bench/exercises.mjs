@@ -15,9 +15,9 @@ export class Exercises {
     this.bench = bench;
     /** @type {string} */ this.name = LATER;
     this.all = new Map(Object.entries(bench.record.exercises));
-    this.given = new Store("exercise"); // by a teacher
+    this.given = new Store("exercise", (name) => this.#elsewhere(name)); // by a teacher
     this.answers = new Store("answers"); // to a sheet, {question: answer}
-    this.marks = new Store("marks"); // [points, of, whether all is right]
+    this.marks = new Store("marks", () => this.#list()); // [points, of, whether all is right]
     for (const name of this.given.names()) this.#give(name, this.given.read(name));
     this.#show("add");
   }
@@ -35,7 +35,7 @@ export class Exercises {
     try {
       checked(tables);
     } catch (/** @type {any} */ error) {
-      throw new Error(`${name}: no exercise: ${error.message}`, { cause: error });
+      throw error instanceof TypeError ? error : new Error(`${name}: no exercise: ${error.message}`, { cause: error });
     }
     const text = JSON.stringify(tables);
     if (this.given.get(name) !== text) this.marks.remove(name); // it was of another exercise
@@ -43,6 +43,13 @@ export class Exercises {
     this.given.keep(name, text);
     this.open(name);
     this.bench.tabs.open("exercises");
+  }
+
+  /** Another tab has taken an exercise. */
+  #elsewhere(/** @type {string} */ name) {
+    this.#give(name, this.given.read(name));
+    if (name === this.name) this.#show(name);
+    else this.#list();
   }
 
   /** Restore a teacher's exercise, if it is one. */

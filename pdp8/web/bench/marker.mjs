@@ -11,11 +11,12 @@ import { bytes, dict } from "../translator/runtime.mjs";
 const TAPES = ["reader", "keys", "tape"];
 const TABLES = ["deposit", "core", "hints", "slips", "executed", "callers"];
 
-/** What a file gives for a field. Throws where points are no number. */
+/** What a file gives for a field. Throws where points are no number, or a table has no names. */
 function valued(/** @type {string} */ name, /** @type {any} */ value) {
   if (value === undefined) return value;
   if (name === "again") return value.map((/** @type {any} */ table) => record(Trial, table));
-  if (name === "points" && !Number.isFinite(value)) throw new Error(`points: ${value} is no number`);
+  if (name === "points" && !Number.isFinite(value)) throw new Error(`points: ${JSON.stringify(value)} is no number`);
+  if (TABLES.includes(name) && !value.every((/** @type {any[]} */ [key]) => typeof key === "string")) throw new TypeError(name);
   return TAPES.includes(name) ? bytes(value) : TABLES.includes(name) ? dict(value) : value;
 }
 
@@ -31,6 +32,7 @@ function question(/** @type {any} */ { answer, ...rest }) {
 /** The exercise that the tables of a file say, as pdp8/lessons/student.py writes them. Throws where they say none. */
 export function exercise(/** @type {any} */ { title, task, program = {}, case: cases = [], question: questions = [], others }) {
   for (const text of [title, task]) if (typeof text !== "string") throw new Error("it has no title or no task");
+  for (const { name } of [...cases, ...questions]) if (typeof name !== "string") throw new Error("a case or a question has no name");
   const tried = cases.map((/** @type {any} */ { hint, trial, ...rest }) =>
     record(Case, { ...rest, hints: hint, trials: trial.map((/** @type {any} */ table) => record(Trial, table)) }),
   );

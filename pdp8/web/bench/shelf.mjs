@@ -27,7 +27,10 @@ export function free(/** @type {string} */ name, /** @type {(name: string) => bo
 }
 
 /** What the lists of the page offer that name some tapes: data-tapes. */
-const OFFERED = { any: (/** @type {string} */ name) => !name.endsWith(".pal"), eia: (/** @type {string} */ name, /** @type {{ code: Code }} */ { code }) => code.name === "eia" };
+const OFFERED = { any: (/** @type {string} */ name, /** @type {Shelf} */ { sources }) => !sources.includes(name), eia: (/** @type {string} */ name, /** @type {Shelf} */ shelf) => shelf.get(name).code.name === "eia" };
+
+/** Whether two tapes have the same frames. */
+const same = (/** @type {Bytes} */ one, /** @type {Uint8Array} */ other) => one.length === other.length && one.every((/** @type {number} */ frame, /** @type {number} */ at) => frame === other[at]);
 
 /** A tape, as a text or as its frames: what it is, is asked when it is wanted. */
 class Tape {
@@ -61,10 +64,15 @@ export class Shelf {
     const lists = document.querySelectorAll("select[data-tapes]");
     for (const list of lists) {
       const { value } = list;
-      const names = this.names().filter((name) => /** @type {any} */ (OFFERED)[String(list.dataset.tapes)](name, this.get(name)));
+      const names = this.names().filter((name) => /** @type {any} */ (OFFERED)[String(list.dataset.tapes)](name, this));
       list.replaceChildren(list.options[0], ...names.map((name) => new Option(name)));
       list.value = value;
     }
+  }
+
+  /** The bundled programs, which are opened. */
+  get sources() {
+    return this.bundled.filter((name) => name.endsWith(".pal"));
   }
 
   /** The tapes that are not bundled, the newest of them, a character a frame. */
@@ -88,8 +96,11 @@ export class Shelf {
 
   /** Put a tape onto the shelf, under another name if that is taken by another tape; return the name. */
   put(/** @type {string} */ name, /** @type {Uint8Array} */ frames) {
-    const called = free(name, (each) => this.tapes.has(each));
-    this.#add(called, bytes(frames));
+    const called = free(name, (each) => this.tapes.has(each) && !same(this.get(each).frames, frames));
+    if (!this.bundled.includes(called)) {
+      this.tapes.delete(called); // it is the newest
+      this.#add(called, bytes(frames));
+    }
     this.offer();
     return called;
   }

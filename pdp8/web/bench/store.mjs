@@ -1,13 +1,16 @@
 // What this browser keeps for the page, by name: programs, marks, answers, a teacher's exercises; and a few settings. One that
 // keeps nothing for a page from disk does no harm. The store is read anew each time: another tab may have written there.
+// Panes in a frame have settings of their own.
 
-import { RESTS } from "./alone.mjs";
+import { EMBED, RESTS } from "./alone.mjs";
 import { free } from "./shelf.mjs";
+
+const OF = EMBED && ` of ${EMBED}`;
 
 /** Keep a setting, for this tab's next reload and for the next visit; return why this browser does not. */
 export function keep(/** @type {string} */ name, /** @type {string} */ text) {
   try {
-    if (!RESTS) for (const store of [sessionStorage, localStorage]) store.setItem(name, text);
+    if (!RESTS) for (const store of [sessionStorage, localStorage]) store.setItem(name + OF, text);
     return "";
   } catch (/** @type {any} */ error) {
     return String(error.message ?? error);
@@ -16,7 +19,7 @@ export function keep(/** @type {string} */ name, /** @type {string} */ text) {
 
 export function kept(/** @type {string} */ name) {
   try {
-    return RESTS ? null : sessionStorage.getItem(name) ?? localStorage.getItem(name);
+    return RESTS ? null : sessionStorage.getItem(name + OF) ?? localStorage.getItem(name + OF);
   } catch {
     return null;
   }
@@ -29,7 +32,7 @@ export class Store {
   constructor(kind, changed) {
     this.prefix = `pdp8 ${kind}: `;
     this.held = new Map(); // what the browser does not keep
-    this.refused = keep("pdp8", ""); // why not
+    this.refused = keep("pdp8", ""); // why not; "" once all is kept
     addEventListener("storage", ({ key }) => key?.startsWith(this.prefix) && changed?.(key.slice(this.prefix.length)));
   }
 
@@ -60,21 +63,24 @@ export class Store {
     }
   }
 
-  /** Keep a text, in place of what it was. */
+  /** Keep a text, in place of what it was; and what was refused before. */
   keep(/** @type {string} */ name, /** @type {string} */ text) {
+    this.held.set(name, text);
+    if (RESTS) return;
     this.refused = "";
-    this.held.delete(name);
-    if (RESTS) return void this.held.set(name, text);
-    try {
-      localStorage.setItem(this.prefix + name, text);
-    } catch (/** @type {any} */ error) {
-      this.refused = String(error.message ?? error);
-      this.held.set(name, text);
+    for (const [each, there] of this.held) {
+      try {
+        localStorage.setItem(this.prefix + each, there);
+        this.held.delete(each);
+      } catch (/** @type {any} */ error) {
+        this.refused = String(error.message ?? error);
+      }
     }
   }
 
   remove(/** @type {string} */ name) {
     this.held.delete(name);
+    if (!this.held.size) this.refused = "";
     try {
       if (!RESTS) localStorage.removeItem(this.prefix + name);
     } catch { /* it kept nothing */ }

@@ -31,8 +31,8 @@ export const modified = (/** @type {KeyboardEvent} */ { ctrlKey, altKey, metaKey
 /** The control within `place` that names the key of an event, or null. */
 export function keyed(/** @type {HTMLElement} */ place, /** @type {KeyboardEvent} */ event) {
   if (modified(event)) return null;
-  const { key } = event;
-  const name = key === " " ? "Space" : key.length === 1 ? key.toUpperCase() : key;
+  const { key } = event, [, latin] = /^Key(.)$/.exec(event.code) ?? [];
+  const name = key === " " ? "Space" : key.length > 1 ? key : key > "~" && latin ? latin : key.toUpperCase(); // Cyrillic letters, and others, stand where Latin ones do
   return place.querySelector(`[aria-keyshortcuts~="${CSS.escape(name)}"]`);
 }
 

@@ -162,16 +162,21 @@ export const cases = {
   },
   "a store has what was kept last, whether the browser takes it or not": async () => {
     const programs = new (await get("bench/store")).Store("program"), prototype = Object.getPrototypeOf(localStorage), { setItem } = prototype;
-    const has = new Map(), wrong = [];
+    const has = new Map(), lost = new Set(), wrong = [];
     for (let step = 0, chance = 1; step < 300; step++) {
       const name = "abc"[(chance = (chance * 16807) % 2147483647) % 3], way = chance % 5, text = String(step);
       if (way < 2) prototype.setItem = way ? setItem : () => { throw new Error("full"); };
       else if (way === 2) {
-        has.delete(name);
+        for (const of of [has, lost]) of.delete(name);
         programs.remove(name);
       }
-      else has.set(way === 3 ? (programs.keep(name, text), name) : programs.take(name, text), text);
-      if (way > 2 && programs.refused !== (prototype.setItem === setItem ? "" : "full")) wrong.push(step);
+      else {
+        const called = way === 3 ? (programs.keep(name, text), name) : programs.take(name, text);
+        has.set(called, text);
+        if (prototype.setItem === setItem) lost.clear();
+        else lost.add(called);
+      }
+      if (programs.refused !== (lost.size ? "full" : "")) wrong.push(step);
       if (String(programs.names()) !== String([...has.keys()].sort()) || [...has].some(([each, kept]) => programs.get(each) !== kept)) wrong.push(step);
     }
     prototype.setItem = setItem;
@@ -194,9 +199,9 @@ export const cases = {
   },
   "of many tapes the newest are kept": async () => {
     page.querySelectorAll = () => [];
-    const shelf = new (await get("bench/shelf")).Shelf({});
-    const names = Array.from({ length: 25 }, () => shelf.put("t.asc", [1]));
-    return [shelf.kept.map(([name]) => name), names.slice(5)];
+    const shelf = new (await get("bench/shelf")).Shelf({ "u.asc": "A" });
+    const names = [...Array.from({ length: 25 }, (_, at) => shelf.put("t.asc", [at])), shelf.put("t.asc", [7]), shelf.put("u.asc", [0o101])]; // two are there
+    return [[shelf.kept.map(([name]) => name), names.pop()], [[...names.slice(5, 7), ...names.slice(8)], "u.asc"]];
   },
   "a play that is dragged goes on, one that stood stands": async () => {
     const made = Object.assign(await afternoon(), { go: nothing });
@@ -244,7 +249,7 @@ export const cases = {
   "a text that is opened again is as it was, whatever was written in it": async () => {
     const { Editor } = await get("bench/editor");
     const programs = new (await get("bench/store")).Store("again");
-    const editor = new Editor({ machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs, shelf: { names: () => [] }, apart: { worker: true, ask: () => new Promise(nothing) } });
+    const editor = new Editor({ machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs, shelf: { sources: [] }, apart: { ask: () => new Promise(nothing) } });
     editor.put("a.pal", "HLT");
     editor.area.value = "HLTx";
     editor.put("a.pal", "HLT");

@@ -95,6 +95,7 @@ class Model:
         self.punched: list[int] = []
         self.sr, self.step, self.protect = 0, False, False
         self.tapes: list[str] = []
+        self.dropped: dict[str, str] = {}
         self.mounted = ""
         self.exercise = "add"
         self.held: tuple[int, bool, bool, list[int]] | None = None
@@ -308,14 +309,15 @@ class Model:
             self._drop()
 
     def _drop(self) -> None:
-        content = f"{self.draw.randrange(8)} 2\r\n"
+        content = f"{self.draw.randrange(40)} 2\r\n"
         self.page.evaluate("(content) => workbench.take(new File([content], 't.asc'))", content)
         name, number = "t.asc", 1
-        while name in self.tapes:
+        while name in self.tapes and self.dropped[name] != content:
             number += 1
             name = f"t {number}.asc"
+        self.dropped[name] = content
         until(self.page, f"workbench.teletype.called() === {name!r}")
-        self.tapes.append(name)
+        self.tapes = [*(each for each in self.tapes if each != name), name]
         self.mounted = name
 
     def mount(self) -> None:
@@ -329,8 +331,8 @@ class Model:
             return
         before = self.tapes
         self._click("#tear")
-        self.tapes = self._facts()["tapes"]
-        assert self.tapes[:-1] == before, "a new tape, the newest"
+        *others, torn = self.tapes = self._facts()["tapes"]
+        assert others == [each for each in before if each != torn], "it is the newest"
         self.punched = []
 
     def translate(self) -> None:

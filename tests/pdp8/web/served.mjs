@@ -1,10 +1,11 @@
-/* global Event, dispatchEvent, history, localStorage, location, sessionStorage */
+/* global Event, URL, dispatchEvent, history, localStorage, location, sessionStorage */
 // A page on the small document, led by lines of JSON (small.py): the first says which, each other one has an answer.
 
 import { createInterface } from "node:readline";
 import { readFileSync } from "node:fs";
 const asked = createInterface({ input: process.stdin })[Symbol.asyncIterator]();
 const given = JSON.parse((await asked.next()).value);
+globalThis.location = new URL(given.address); // what is asked for behind ? is looked at once
 await import(`./pdp8/web/${given.entry === "curve" ? "curve" : "bench/desk"}.mjs?worker`); // without a document it serves
 const work = globalThis.onmessage;
 const dom = await import("./dom.mjs");

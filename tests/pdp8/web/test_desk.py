@@ -51,7 +51,7 @@ def test_programs_are_kept_and_never_written_over(page: Page) -> None:
     assert kept == [HALT, "*300\n\tHLT\n$\n"]
     page.add_init_script("Storage.prototype.setItem = () => { throw new Error('forbidden'); };")
     _reopened(page)
-    assert "keeps no programs for this page (forbidden)" in page.locator("#program-says").inner_text()
+    assert "does not keep programs for this page (forbidden)" in page.locator("#program-says").inner_text()
     page.locator("#source").fill(HALT)
     assert page.evaluate("workbench.editor.assemble()")
 
@@ -130,9 +130,11 @@ def test_two_tabs_do_not_write_over_each_other(page: Page) -> None:
         tab.evaluate("workbench.editor.keep()")
         until(tab, "workbench.programs.get('mine.pal').includes('same')")
         assert tab.evaluate("workbench.editor.name") == "mine.pal"
+    _drop(tabs[0], "x.json", '{"title": "Another\'s", "task": "x"}')
     tabs[0].locator("#source").fill(HALT + "/ first\n")
     until(tabs[0], "workbench.programs.get('mine.pal').includes('first')")
     until(page, f"{says}.includes('mine.pal was changed in another tab')")
+    assert "Another's" in page.locator("#exercise").inner_text()
     page.locator("#source").fill(HALT + "/ second\n")
     until(page, "workbench.editor.name === 'mine 2.pal'")
     assert "kept as mine 2.pal" in page.locator("#program-says").inner_text()
@@ -204,6 +206,9 @@ def _visited_again(page: Page) -> Page:
     _reopened(page)
     address = page.url.split("#")[0]
     other = page.context.new_page()
+    other.goto(f"{address}?embed=panel{DESK}")  # panes in a frame have a machine and settings of their own
+    until(other, "!!window.workbench?.ready")
+    assert not other.evaluate("workbench.machine.processor.core.some(Boolean)")
     page.close(run_before_unload=True)
     other.goto(address)
     until(other, "!!window.workbench?.ready")
@@ -214,7 +219,7 @@ def _visited_again(page: Page) -> Page:
 
 
 _ASKS = {
-    "checked": ("editor.text += '/'", "#program-says", "editor.text += '/'"),
+    "checked": ("editor.text += '/'", "#messages", "editor.text += '/'"),
     "booted": ("editor.boot()", "#next", ""),
     "loosened": ("mill.loosen({ value: '5' })", "#loosened", "mill.cut('circle.eia')"),
     "marks": ("exercises.markOpen()", "#marks", "exercises.open('larger')"),
