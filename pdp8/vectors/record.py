@@ -47,7 +47,7 @@ class Recorder:
             device.flag = int(device.code in flags)
         for register in _REGISTERS:
             setattr(machine, register, getattr(state, register))
-        p.mem_prot, p.protect, p.run = mem_prot, 0, 1
+        p.mem_prot, p.run = mem_prot, 1
         p.core[:] = _EMPTY
         for address, word in core.items():
             p.core[address] = word
