@@ -138,6 +138,13 @@ def test_what_does_not_close_says_how_far_it_is_open() -> None:
 def test_a_window_holds_its_corners_and_nothing_beyond() -> None:
     held = [(x, y) for x in range(-1, 4) for y in range(-1, 3) if Window(0, 0, 2, 1).holds(x, y)]
     assert held == [(x, y) for x in (0, 1, 2) for y in (0, 1)]
+    met = [
+        (x, y)
+        for x in range(-3, 5)
+        for y in range(-3, 4)
+        if Window(0, 0, 2, 1).meets(Window(x, y, x + 1, y + 1))
+    ]
+    assert met == [(x, y) for x in range(-1, 3) for y in range(-1, 2)]
 
 
 def walled(curve: Curve, outer: float) -> Inspection:

@@ -1,7 +1,7 @@
 """Words spelled out as text: what courses and tools write, read by its form; nothing else is."""
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from pdp8 import shelf
@@ -54,7 +54,12 @@ def test_a_line_of_bits_for_each_word() -> None:
     st.sampled_from(list(spelled.FORMATS)),
 )
 def test_what_is_written_is_read(words: dict[int, int], name: str) -> None:
-    found = spelled.found(spelled.FORMATS[name].spell(words).encode())
+    text = spelled.FORMATS[name].spell(words)
+    if name == "octal-frames":
+        *before, high, low = (int(frame, 8) for frame in text.split())
+        closed = sum(frame for frame in before if frame < 0o300) & 0o7777 == high << 6 | low
+        assume(not closed)  # by chance the last word is a checksum: that is a whole tape
+    found = spelled.found(text.encode())
     assert found is not None
     assert {at: word for at, word in found.words.items() if word} == {
         at: word for at, word in words.items() if word

@@ -96,9 +96,10 @@ def restore(
     fitted: Iterable[Peripheral] = (),
     media: Iterable[Medium] = (),
     known: Iterable[Peripheral] | None = None,
+    mount: str = "--dectape N=FILE mounts it, or attach dtN FILE",
 ) -> Machine:
     """Return the machine of a saved state, with new devices `fitted`, the `known` ones that it names, and its
-    reels from `media`; missing fields are as at power-up. Raises StateError.
+    reels from `media`; missing fields are as at power-up. Raises StateError; `mount` says how a reel comes.
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
@@ -118,7 +119,7 @@ def restore(
                 raise StateError(f"{place}: the fields are {' '.join(part.fields)}")
             if kind == MEDIUM:
                 mounted = getattr(part, name)
-                values[place] = mounted if given is None else _medium(given, mounted, reels, place)
+                values[place] = mounted if given is None else _medium(given, mounted, reels, place, mount)
             elif kind != PART:
                 values[place] = _read(kind, given, place, core)
     try:
@@ -197,15 +198,14 @@ def _read(kind: int | str, value: object, place: str, core: "array[int]") -> Any
     return _octal(value, int(kind, 8), place) if isinstance(kind, str) else _number(value, 0, kind, place)
 
 
-def _medium(given: object, mounted: Medium | None, reels: Mapping[str, Medium], place: str) -> Medium:
+def _medium(
+    given: object, mounted: Medium | None, reels: Mapping[str, Medium], place: str, mount: str
+) -> Medium:
     """Return the reel that a state names by its digest."""
     if mounted is not None and mounted.digest == given:
         return mounted
     if not isinstance(given, str) or given not in reels:
-        raise StateError(
-            f"{place}: the state needs the reel of SHA-256 {_short(given)}; --dectape N=FILE mounts it, "
-            "or attach dtN FILE"
-        )
+        raise StateError(f"{place}: the state needs the reel of SHA-256 {_short(given)}; {mount}")
     return reels[given]
 
 
