@@ -47,6 +47,7 @@ def test_it_runs_and_a_saved_state_needs_it(call: Call) -> None:
     assert "It waits for device 13 at 0202 (WAIT, 6131): no such device is fitted." in without[2]
 
 
+@pytest.mark.slow("makes a page of its own")
 @needs_node
 def test_with_one_line_it_comes_with_the_machine_and_the_page_has_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -1,7 +1,7 @@
 """Words spelled out as text: what courses and tools write, read by its form; nothing else is."""
 
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from pdp8 import shelf
@@ -49,6 +49,7 @@ def test_a_line_of_bits_for_each_word() -> None:
     assert (found.words[0o200], found.words[0o201], len(found.words)) == (0o7300, 0o7402, 0o10000)
 
 
+@settings(max_examples=40)
 @given(
     st.dictionaries(st.integers(0, 0o77777), st.integers(0, 0o7777), min_size=8),
     st.sampled_from(list(spelled.FORMATS)),

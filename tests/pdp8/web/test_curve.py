@@ -45,6 +45,7 @@ _WORDS = list(pal.assemble(shelf.read_bundled("eia.pal")).words.items())
 _LINE = "  76 2250 4133  185\n"
 
 
+@pytest.mark.slow("computes each figure in both languages")
 @needs_node
 def test_the_page_computes_what_python_does() -> None:
     """Printouts, minutes, ways, characters; each station of both walls to a millionth of a thousandth."""

@@ -93,6 +93,7 @@ def _here(call: Callable[[bytes], Any], tape: bytes) -> Any:
         return f"{type(error).__name__}: {error}"
 
 
+@pytest.mark.slow("cuts every tape in both languages")
 def test_tapes_and_the_milling_machine() -> None:
     """The bundled tapes, whole and damaged: code, captions and labels; start, every move, every refusal."""
     draw = random.Random(7)
