@@ -117,12 +117,17 @@ class Stream(io.TextIOWrapper):
 
 @pytest.fixture
 def call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Call:
-    """Call a command in this process, in an empty folder; return its status, standard output and error."""
+    """Call a command in this process, in an empty folder; return its status, standard output and error.
+
+    The three streams are a terminal, none is, or those named, "stdin stdout".
+    """
     monkeypatch.chdir(tmp_path)
 
-    def called(line: str, stdin: bytes = b"", terminal: bool = False) -> tuple[int, str, str]:
-        streams = [Stream(content, terminal) for content in (stdin, b"", b"")]
-        for name, stream in zip(("stdin", "stdout", "stderr"), streams, strict=True):
+    def called(line: str, stdin: bytes = b"", terminal: bool | str = False) -> tuple[int, str, str]:
+        contents = {"stdin": stdin, "stdout": b"", "stderr": b""}
+        at = terminal.split() if isinstance(terminal, str) else [*contents] * terminal
+        streams = [Stream(content, name in at) for name, content in contents.items()]
+        for name, stream in zip(contents, streams, strict=True):
             monkeypatch.setattr(sys, name, stream)
         name, *words = shlex.split(line)
         status = command.status({"pdp8": pdp8, "pal": pal}[name], name, words)

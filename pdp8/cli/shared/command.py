@@ -147,10 +147,9 @@ def tell_written(name: str, replaced: bool) -> None:
 
 
 def _take_any_character() -> None:
-    """Replace characters that the output's encoding lacks by question marks."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper) and stream.errors == "strict":
-            stream.reconfigure(errors="replace")
+    """Replace characters that the output's encoding lacks by "?"; Python spells those of errors."""
+    if isinstance(sys.stdout, TextIOWrapper) and sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="replace")
 
 
 def _reopen_closed_streams() -> None:

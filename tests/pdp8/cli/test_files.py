@@ -204,8 +204,9 @@ def test_completion_has_files_and_bundled_names(tmp_path: Path, monkeypatch: pyt
 
 def test_a_command_that_waits_for_a_terminal_says_so(call: Call) -> None:
     for line in ("nc cut", "tape info", "dis", "tape punch"):
-        assert "waits for standard input, which is this terminal" in call(f"pdp8 {line}", terminal=True)[2]
-        assert "waits" not in call(f"pdp8 {line}")[2]
+        said = call(f"pdp8 {line}", terminal="stdin")[2]
+        assert "waits for standard input, which is this terminal" in said
+        assert "waits" not in call(f"pdp8 {line}", terminal="stdout stderr")[2]
 
 
 @pytest.mark.parametrize("module", ["pdp8.cli.root", "pdp8.cli.run", "pal.assembling"])
