@@ -38,8 +38,8 @@ export class Pictures {
   }
 
   #picture(/** @type {number} */ now) {
-    const passed = Math.min(now - this.before, LONGEST);
-    this.before = now;
+    const passed = Math.min(Math.max(now - this.before, 0), LONGEST); // a frame may have begun before the row did
+    this.before = Math.max(now, this.before);
     this.running = this.show(passed) && this.running;
     if (this.running) this.#wait();
   }

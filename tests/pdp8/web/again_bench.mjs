@@ -107,6 +107,18 @@ export const cases = {
     performance.now = now;
     return [[titles, said], [["Stopped: desk", "desk", "desk", "desk", "desk"], ["The tab was hidden; everything stood still for 5 s."]]];
   },
+  "a frame that began before the row of pictures counts no time, and none is counted twice": async () => {
+    const { Pictures } = await get("pictures");
+    const { setTimeout, requestAnimationFrame } = globalThis, { now } = performance;
+    const frames = [], passed = [];
+    Object.assign(globalThis, { setTimeout: (act) => act(), requestAnimationFrame: (act) => frames.push(act) });
+    performance.now = () => 1000;
+    new Pictures((milliseconds) => passed.push(milliseconds) < 5).start();
+    for (const began of [900, 990, 1100, 1050, 1600]) frames.pop()(began);
+    Object.assign(globalThis, { setTimeout, requestAnimationFrame });
+    performance.now = now;
+    return [[passed, frames], [[0, 0, 100, 0, 250], []]];
+  },
   "the speed that is kept is written as it is": async () => {
     const clock = new (await get("bench/clock")).Clock({}, nothing);
     const seen = [0, 0.01, 0.5, 0.89, 0.9, 1, 9.44, 9.5, 120].map((measured) => ((clock.measured = measured), clock.kept));
