@@ -109,13 +109,14 @@ export const cases = {
   },
   "a frame that began before the row of pictures counts no time, and none is counted twice": async () => {
     const { Pictures } = await get("pictures");
-    const { setTimeout, requestAnimationFrame } = globalThis, { now } = performance;
+    const before = { setTimeout: globalThis.setTimeout, requestAnimationFrame: globalThis.requestAnimationFrame };
+    const { now } = performance;
     const frames = [], passed = [];
     Object.assign(globalThis, { setTimeout: (act) => act(), requestAnimationFrame: (act) => frames.push(act) });
     performance.now = () => 1000;
     new Pictures((milliseconds) => passed.push(milliseconds) < 5).start();
     for (const began of [900, 990, 1100, 1050, 1600]) frames.pop()(began);
-    Object.assign(globalThis, { setTimeout, requestAnimationFrame });
+    Object.assign(globalThis, before);
     performance.now = now;
     return [[passed, frames], [[0, 0, 100, 0, 250], []]];
   },
