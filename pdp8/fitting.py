@@ -22,6 +22,8 @@ from tapes.errors import WorkError
 
 _MARK = "__file_of_devices__"
 
+MOUNT = "--dectape N=FILE mounts it, or attach dtN FILE"
+"""How a reel comes that a saved state needs: to `pdp8 run`, or to the monitor."""
 Devices = list[type[Peripheral]]
 
 

@@ -298,7 +298,7 @@ class _Run:
         text = shelf.read_text(name, state.LARGEST)
         self._mount(fitted)
         with naming(name):
-            return state.restore(text, fitted, known=fitting.known())
+            return state.restore(text, fitted, known=fitting.known(), mount=fitting.MOUNT)
 
     def _mount(self, devices: Sequence[Peripheral]) -> None:
         """Mount the reels of --dectape and the disk of --disk, and say what there is to say of them."""

@@ -122,7 +122,7 @@ class Monitor:
         """Use the machine of state `text`; devices, reels, breakpoints within its core and pace stay."""
         watch, pace = self.machine.watch, self.operator.pace
         fitted = [type(device)() for device in self.machine.devices]
-        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known()))
+        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known(), fitting.MOUNT))
         self.machine.watch, self.operator.pace = watch, pace
         memory = self.machine.memory
         beyond = {at for at in watch.breakpoints | watch.writes | watch.reads if at >= memory}

@@ -96,7 +96,7 @@ def restore(
     fitted: Iterable[Peripheral] = (),
     media: Iterable[Medium] = (),
     known: Iterable[Peripheral] | None = None,
-    mount: str = "--dectape N=FILE mounts it, or attach dtN FILE",
+    mount: str = "mount it first",
 ) -> Machine:
     """Return the machine of a saved state, with new devices `fitted`, the `known` ones that it names, and its
     reels from `media`; missing fields are as at power-up. Raises StateError; `mount` says how a reel comes.
@@ -270,7 +270,7 @@ def _check(machine: Machine) -> None:
     used = (x.field, x.inst_field, x.data_field, x.inst_buffer, x.saved_inst, x.saved_data)
     for field in (*used, x.inst_switch, x.data_switch):
         if field % FIELD != 0 or field >= machine.memory:
-            raise StateError(f"extension: {field:05o} is no field of {machine.memory} words of core")
+            raise StateError(f"extension: {field:05o} is not a field of {machine.memory} words of core")
     if (p.next > INTERRUPT) != (machine.bus.in_break() is not None):
         raise StateError("processor next: must be 4 to 6, as a device has a data break")
     if waiting.clock > p.clock or waiting.instructions > p.instructions:

@@ -102,7 +102,7 @@ OBJECT, OCTAL, NUMBER = (
         (given(devices={"3": {}}), "devices 3: the state needs a device of this code"),
         (given(memory=5000), "memory: 5000 words; 4096, 8192, "),
         *(
-            (given(memory=8192, extension={name: field}), f"extension: {field} is no field of 8192 words")
+            (given(memory=8192, extension={name: field}), f"extension: {field} is not a field of 8192 words")
             for name, kind in Extension.fields.items()
             for field in ("10001", "20000")
             if kind == "70000"
