@@ -47,9 +47,9 @@ def of(content: bytes, name: str) -> Answer:
     if is_utf16(content):
         return Answer(name, fault="text in UTF-16: save it as UTF-8 or ASCII, or write it with an editor")
     content = without_mark(content)
-    code = codes.recognise(content)
+    code = codes.recognise(dump.unspelled(content)[0])
     try:
-        if isinstance(codes.recognise(dump.unspelled(content)[0]), Words):
+        if isinstance(code, Words):
             return Answer(name, program.read(content, name).words)
         if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file

@@ -152,7 +152,7 @@ class Processor:
         self.writes += 1
 
     def fill(self, words: "array[int]") -> None:
-        """Write words into core from address 0 on; where the same one stands, nothing is written."""
+        """Write words into core from address 0 on; a word that is there already is not written."""
         for address in range(len(words)):
             if words[address] != self._core[address]:
                 self.deposit(address, words[address])

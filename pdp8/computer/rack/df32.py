@@ -32,7 +32,7 @@ from typing import Final
 from pdp8.computer.hardware.bus import BreakDevice, Bus, Device
 from pdp8.computer.hardware.fields import BIT, FRAMES, TICK, saved
 from pdp8.computer.hardware.signals import CLEAR_AC, NEVER, SKIP
-from tapes.dectape import low_first
+from tapes.dectape import low_first, packed
 
 DISC = 0o100000
 LOCKED_TOGETHER = 0o40000
@@ -78,7 +78,7 @@ class DF32(BreakDevice):
     @property
     def content(self) -> bytes:
         """The words as an image has them: 65,536 bytes a disc."""
-        return low_first(self.words).tobytes()
+        return packed(self.words)
 
     @content.setter
     def content(self, content: bytes) -> None:
