@@ -24,6 +24,7 @@ from tests.pdp8.computer.speed.forms import module
 from tests.pdp8.web.node import NODE, modules
 from tests.reference.model import NEVER, QUEUE, Counts, Reference
 
+FORMS = ("compiled", "plain", *(["javascript"] if NODE else []))
 TICKS_PER_SECOND = 20_000_000
 Seen = dict[str, Any]
 

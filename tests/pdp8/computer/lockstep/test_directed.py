@@ -6,6 +6,7 @@ import pytest
 
 from tests.pdp8.computer.bench import core, octal
 from tests.pdp8.computer.lockstep.play import listing, play
+from tests.pdp8.computer.lockstep.sides import FORMS
 from tests.pdp8.computer.lockstep.situations import (
     EIGHTH,
     LOAD_ADD,
@@ -18,11 +19,9 @@ from tests.pdp8.computer.lockstep.situations import (
     load_tape,
     put,
 )
-from tests.pdp8.web.node import NODE
 from tests.reference.compiling import compiler
 
 pytestmark = pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler")
-FORMS = ("compiled", "plain", *(["javascript"] if NODE else []))
 STARTED = (put("sr", 0o200), LOAD_ADD, START)
 TYPED = call("teletype.keyboard.press", b"AA")
 

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import pytest
 
 from tests.pdp8.computer.lockstep.play import play
+from tests.pdp8.computer.lockstep.sides import FORMS
 from tests.pdp8.computer.lockstep.situations import (
     Situation,
     at_the_panel,
@@ -12,13 +13,11 @@ from tests.pdp8.computer.lockstep.situations import (
     in_the_rack,
     situation,
 )
-from tests.pdp8.web.node import NODE
 from tests.reference.compiling import compiler
 from tests.sampling import some
 
 Forms = tuple[str, ...]
-SLOW: Forms = "plain", *(["javascript"] if NODE else [])
-LONGEST = {("compiled",): 100_000, SLOW: 3_000}
+LONGEST: dict[Forms, int] = {FORMS[:1]: 100_000, FORMS[1:]: 3_000}
 pytestmark = [
     pytest.mark.skipif(compiler() is None, reason="the reference needs a C compiler"),
     pytest.mark.parametrize("forms", LONGEST, ids=", ".join),
