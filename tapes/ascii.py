@@ -105,11 +105,15 @@ class _Ascii(Characters):
     def report(self, frames: bytes) -> list[Row]:
         codes = frames.translate(strip.PARITIES["none"])
         returns, feeds = codes.count(CR), codes.count(LF)
-        held = lined([len(line) for line in decode(frames).split("\n")], "characters")
+        text = decode(frames)
+        pages = text.count("\f")  # a form feed moves the paper, and begins no line
+        held = lined([len(line) for line in text.replace("\f", "").split("\n")], "characters")
         pieces = _parities(frames, ())
         rows = [("parity", said(pieces) if pieces else "mixed"), ("lines", held)]
         if returns or feeds:
-            ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT"
+            ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT" + f", {pages:,} FF" * (
+                pages > 0
+            )
             rows.append(("line ends", ends))
         if feeds and not returns:
             warning = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"

@@ -5,13 +5,17 @@
 0000000 100200 000102                         od, hexdump: words of two frames or more, the last one first
 *                                             as the line above, up to the next address
 10001101 00000001      0x8d, 0x01             binary; hexadecimal with its mark
+0200                   [128, 66, 0]           octal as C has it; a list, decimal
+80 42 0                                       any base, if the tape begins with leader in it
 |oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it
 """
 
+import re
 from itertools import pairwise
 from typing import NamedTuple
 
 from tapes import spelled
+from tapes.frames import LEADER
 from tapes.spelled import is_number
 from tapes.text import in_ascii, lines_of
 
@@ -21,6 +25,9 @@ _FARTHEST = 1 << 24
 _GAP = "; its addresses do not follow one another: is a line missing?"
 _STARRED = "; * stands for lines that it lacks: od -v writes them"
 _DRAWN = 9  # columns: eight channels and the sprocket hole
+_LIST = re.compile(r"[\[{]([\s,0-9a-fA-FxX]+)[\]}]")
+"""Of a program in C, Python or JSON."""
+_BASES = {"binary": 2, "octal": 8, "decimal": 10}
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
@@ -55,15 +62,16 @@ def found(content: bytes) -> Dump | None:
     drawn = _drawn(lines_of(text))
     if len(drawn) >= _FEWEST:
         return Dump("holes", drawn)
-    in_braces = text.partition("= {")[2].partition("}")[0]  # of a program in C
-    rows = [_row(line) for line in lines_of(in_braces or text)]
+    lists = _LIST.findall(text)
+    rows = [_row(line) for line in lines_of(lists[0] if lists else text)]
     rows = [row for row in rows if row.address or row.numbers]
     colons = any(row.address and row.address != "*" for row in rows)
     if not colons:
         rows = _addressed(rows)
     words = not colons and any(row.address and row.address != "*" for row in rows)
     numbers = [number for row in rows for number in row.numbers]
-    notation = _notation(numbers, words)
+    notation = "" if any(row.address for row in rows) else _by_leader(numbers, len(rows))
+    notation = notation or _notation(numbers, words, len(lists) > 0)
     if not notation:
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
@@ -142,8 +150,22 @@ def _addressed(rows: list[_Row]) -> list[_Row]:
     return rows
 
 
-def _notation(numbers: list[str], words: bool) -> str:
-    """Return the notation that all numbers have, or ""; with `words` a number may be of two frames."""
+def _by_leader(numbers: list[str], lines: int) -> str:
+    """Return the notation in which numbers of any length begin with leader, or are octal as C has it, one a
+    line; or "".
+    """
+    for notation, base, most in ("octal", 8, 4), ("decimal", 10, 3), ("hexadecimal", 16, 2):
+        if all(is_number(number, base, 1, most) and int(number, base) < 1 << 8 for number in numbers):
+            octal = lines == len(numbers) and {len(number) for number in numbers} == {4}
+            if octal or {int(number, base) for number in numbers[:2]} == {LEADER}:
+                return notation
+    return ""
+
+
+def _notation(numbers: list[str], words: bool, listed: bool) -> str:
+    """Return the notation that all numbers have, or ""; with `words` a number may be of two frames, and
+    `listed` they are in brackets.
+    """
     if not numbers:
         return ""
     if all(is_number(number, 2, 8, 8) for number in numbers):
@@ -152,6 +174,8 @@ def _notation(numbers: list[str], words: bool) -> str:
         return "octal"
     if all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
         return "octal words"
+    if listed and all(is_number(number, 10, 1, 3) and int(number) < 1 << 8 for number in numbers):
+        return "decimal"
     if not all(is_number(number, 16, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
         return ""
     longest, shortest = max(map(len, numbers)), min(map(len, numbers))
@@ -159,10 +183,8 @@ def _notation(numbers: list[str], words: bool) -> str:
 
 
 def _frames(number: str, notation: str) -> bytes:
-    if notation == "binary":
-        return bytes([int(number, base=2)])
-    if notation == "octal":
-        return bytes([int(number, base=8)])
+    if notation in _BASES:
+        return bytes([int(number, _BASES[notation])])
     if notation == "octal words":
         word = int(number, base=8)
         return bytes([word & 0o377, word >> 8])

@@ -30,8 +30,8 @@ def without_mark(content: bytes) -> bytes:
 
 
 def in_ascii(content: bytes) -> str:
-    """Return a file as text, without a byte order mark; "" for one that is not all ASCII."""
-    text = without_mark(content)
+    """Return a file as text, without a byte order mark and CP/M's ^Z at the end; "" if not all ASCII."""
+    text = without_mark(content).rstrip(b"\x1a")
     return "" if not text.isascii() or b"\0" in text else text.decode("ascii")
 
 

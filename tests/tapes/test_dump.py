@@ -7,6 +7,7 @@ import pytest
 
 from pdp8 import shelf
 from tapes import dump
+from tapes.frames import LEADER
 from tests import commands
 
 FRAMES = bytes(100) + shelf.read("circle.eia")[:333] + bytes(100) + bytes(range(256))
@@ -58,7 +59,38 @@ def test_an_address_is_no_reason_to_fill_up_memory() -> None:
     assert (found.frames, bool(found.gap)) == (b"\x80\x81" * 8 + b"\x82\x83" * 8, True)
 
 
+TAPE = bytes([LEADER] * 20) + FRAMES
+
+
+@pytest.mark.parametrize(
+    ("frames", "text"),
+    [
+        (TAPE, str(list(TAPE))),
+        (FRAMES, f"tape = {list(FRAMES)}"),
+        (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
+        (TAPE, "\n".join([str(frame) for frame in TAPE])),
+        (TAPE, "int tape[] = {" + ", ".join([f"0{frame:o}" for frame in TAPE]) + "};"),
+        (TAPE, " ".join([f"{frame:o}" for frame in TAPE])),
+        (TAPE, " ".join([f"{frame:x}" for frame in TAPE])),
+        (FRAMES, "".join([f"{frame:04o}\r\n" for frame in FRAMES]) + "\x1a"),
+    ],
+)
+def test_numbers_as_programs_write_them(frames: bytes, text: str) -> None:
+    """The last as the collection of DEC's tapes for velocityboy's emulator has each tape, from CP/M."""
+    found = dump.found(text.encode())
+    assert found
+    assert found.frames == frames
+
+
 @pytest.mark.parametrize("name", ["circle.asc", "circle.eia", "eia.bin", "eia.pal", "hello.pal"])
 def test_what_is_no_dump(name: str) -> None:
     assert dump.found(shelf.read(name)) is None
+
+
+@pytest.mark.parametrize(
+    "figures", ["0,0\n10,0\n10,10\n0,10\n", "128 129 130 131 132 133 134 135", "1\n2\n3\n" * 9]
+)
+def test_figures_are_no_dump(figures: str) -> None:
+    """Points of a part, or data of a program, which no leader begins."""
+    assert dump.found(figures.encode()) is None
     assert dump.found(b"0010000000000003588\n0029030000350000189\n" * 9) is None
