@@ -63,9 +63,9 @@ def number(value: float) -> str:
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
-def signed(deviation: float) -> str:
-    """Return an error in thousandths as the scale of a graph shows it, in inches."""
-    return f"{deviation / 1000:+.3f}" if deviation else "0"
+def signed(divisions: int, unit: Unit) -> str:
+    """Return an error of so many small divisions as the scale of a graph shows it."""
+    return f"{divisions * unit.small:+.{unit.places}f}" if divisions else "0"
 
 
 def round_step(least: float) -> int:

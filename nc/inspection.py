@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from nc.curves import Curve, Floats, Stations, fitted
 from nc.curves import curve as sampled
 from nc.path import Move, Path
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.nominal import Nominal
 
@@ -146,7 +147,9 @@ def against(path: Path, nominal: Nominal) -> Inspection:
     return inspect(path, sampled(nominal, cutter), cutter, 1000 * nominal.tolerance)
 
 
-def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5) -> Inspection:
+def inspect(
+    path: Path, curve: Curve | None = None, cutter: float = 500, tolerance: float = 5, unit: Unit = INCH
+) -> Inspection:
     """Measure the walls that the path left against `curve`, else the circle, ellipse or line it follows.
 
     `cutter` is the diameter, `tolerance` half the width of the band, both in thousandths. A path follows a
@@ -159,8 +162,8 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     curve = curve or followed(path, tolerance)
     if curve is None:
         raise WorkError(
-            f"the milled path follows no circle, ellipse or line within {_follows(tolerance) / 1000:.3f} in: "
-            "name the nominal curve"
+            "the milled path follows no circle, ellipse or line within "
+            f"{unit.said(_follows(tolerance))} {unit.name}: name the nominal curve"
         )
     corners = len(np.unique(cuts.reshape(-1, 2), axis=0))
     count = max(_FEWEST_STATIONS, STATIONS * _CUTS_AT_FULL // max(_CUTS_AT_FULL, corners))
@@ -168,7 +171,7 @@ def inspect(path: Path, curve: Curve | None = None, cutter: float = 500, toleran
     found = walls(cuts, stations, cutter / 2, curve.part_wall, tolerance=tolerance)
     measured = _met(_to_edge(curve, found, stations))
     if np.isnan([measured.outer, measured.inner]).all():
-        raise WorkError(f"the cutter did not reach the curve: {curve}")
+        raise WorkError(f"the cutter did not reach the curve: {curve.said(unit)}")
     finer = walls(cuts, _finer(measured), cutter / 2, curve.part_wall, stations.points, tolerance)
     readings = tuple(_readings(curve, measured, _to_edge(curve, finer, stations)))
     stepwise = bool((cuts[:, :2] == cuts[:, 2:]).any(axis=1).all())

@@ -98,11 +98,11 @@ def inspection_report(inspection: Inspection, source: str = "", unit: Unit = INC
     yield ""
     yield from _readings(inspection, unit)
     yield ""
-    worst = inspection.worst
+    worst, inches = inspection.worst, " in" * (unit is not INCH)
     yield (
         f"worst trough to peak {unit.error(worst.trough_to_peak)} {unit.name}: {worst.wall} wall, "
         f"{worst.place}, from {unit.signed(worst.lowest)} to {unit.signed(worst.highest)}"
-        + (f"; thesis {_WORST_1971}" if _is_of_the_thesis(inspection) else "")
+        + (f"; thesis {_WORST_1971}{inches}" if _is_of_the_thesis(inspection) else "")
     )
     diagonal = [each.trough_to_peak for each in inspection.readings if _is_diagonal(each)]
     if diagonal:
@@ -130,7 +130,7 @@ def _verdict(inspection: Inspection, unit: Unit) -> str:
 def _readings(inspection: Inspection, unit: Unit) -> Iterator[str]:
     is_thesis = _is_of_the_thesis(inspection)
     heading = f"{'place':14}{'wall':7}{'lowest':>9}{'highest':>9}  trough to peak"
-    yield f"{heading}   thesis" if is_thesis else heading
+    yield f"{heading}   thesis{', in' * (unit is not INCH)}" if is_thesis else heading
     for reading in inspection.readings:
         errors = f"{unit.signed(reading.lowest):>9}{unit.signed(reading.highest):>9}"
         line = f"{reading.place:14}{reading.wall:7}{errors}{unit.error(reading.trough_to_peak):>16}"

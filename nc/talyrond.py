@@ -1,8 +1,8 @@
 """The Talyrond's polar graph: the error of each wall round the work, with only the radius magnified.
 
 The stylus turns about the centre of the curve. The graph has the true angles; its radius is magnified and its
-centre suppressed, so that a small division is .001 in as in Figure 7.2 and a step looks like a spike. For an
-ellipse the graph shows the distance from the true ellipse, along its normal.
+centre suppressed, so that a small division is .001 in as in Figure 7.2, or .02 mm, and a step looks like a
+spike. For an ellipse the graph shows the distance from the true ellipse, along its normal.
 
     dotted ring   the nominal wall        outer wall blue, inner wall red, + outward
 
@@ -16,9 +16,8 @@ import numpy as np
 from nc.curves import Floats
 from nc.drawing import FAINT, GRID, INK, Sheet, polyline, signed
 from nc.inspection import Inspection, runs
-from nc.unit import INCH
+from nc.unit import INCH, Unit
 from tapes.errors import WorkError
-from tapes.quantities import inches
 
 _MAGNIFICATIONS = (100, 50, 20, 10, 5, 2, 1)
 _ROOM = 260.0
@@ -26,26 +25,26 @@ _HUB = 45.0
 COLOURS = {"outer": "#0b4f9e", "inner": "#c62828"}
 
 
-def talyrond(inspection: Inspection, name: str = "Talyrond") -> str:
+def talyrond(inspection: Inspection, name: str = "Talyrond", unit: Unit = INCH) -> str:
     """The polar graph as SVG, magnified 100 times or as far as fits. Raises WorkError for an open curve."""
     if not inspection.curve.closed:
         raise WorkError(
-            f"the Talyrond measures closed curves; this is a {inspection.curve}: use the Talysurf"
+            f"the Talyrond measures closed curves; this is a {inspection.curve.said(unit)}: use the Talysurf"
         )
-    return _Graph(inspection, name).svg()
+    return _Graph(inspection, name, unit).svg()
 
 
 class _Graph:
-    """The graph on its sheet; radii in hundredths of an inch of paper."""
+    """The graph on its sheet: errors in small divisions, radii in hundredths of an inch of paper."""
 
-    def __init__(self, inspection: Inspection, name: str) -> None:
-        self.inspection, self.name = inspection, name
-        both = np.concatenate([inspection.walls.outer, inspection.walls.inner])
+    def __init__(self, inspection: Inspection, name: str, unit: Unit) -> None:
+        self.inspection, self.name, self.unit = inspection, name, unit
+        both = np.concatenate([inspection.walls.outer, inspection.walls.inner]) / unit.division
         self.low, self.high = 5 * floor(float(np.nanmin(both)) / 5), 5 * ceil(float(np.nanmax(both)) / 5)
         divisions = self.high - self.low
-        fitting = (times for times in _MAGNIFICATIONS if divisions * times / 10 <= _ROOM)
+        fitting = (times for times in _MAGNIFICATIONS if divisions * unit.division * times / 10 <= _ROOM)
         self.magnification = next(fitting, min(_MAGNIFICATIONS))
-        self.division = self.magnification / 10
+        self.division = self.magnification / 10 * unit.division
         self.rim = _HUB + divisions * self.division
         half = max(self.rim + 95, 370.0)
         self.x, self.y = half, self.rim + 175
@@ -56,18 +55,21 @@ class _Graph:
         self._rings()
         self._spokes()
         for wall, deviation in self.inspection.walls.by_name.items():
-            self._trace(deviation, COLOURS[wall])
+            self._trace(deviation / self.unit.division, COLOURS[wall])
         for division in range(self.low, self.high + 1, 5):
             x, y = self._at(22.5, division)
-            self.sheet.label(x, y + 4, signed(division), text_anchor="middle")
+            self.sheet.label(x, y + 4, signed(division, self.unit), text_anchor="middle")
         self._readings()
         return self.sheet.svg()
 
     def _title(self) -> None:
-        worst, cutter = self.inspection.worst, f"cutter {INCH.size(self.inspection.cutter)} in"
-        scale = f"radial magnification {self.magnification}, centre suppressed · small division .001 in"
-        rough = f"worst trough to peak {inches(worst.trough_to_peak)} in: {worst.wall} wall, {worst.place}"
-        self.sheet.text(20, 26, f"{self.name}: {self.inspection.curve}", font_size=15)
+        worst, unit = self.inspection.worst, self.unit
+        cutter = f"cutter {unit.size(self.inspection.cutter)} {unit.name}"
+        small = f"small division {f'{unit.small:g}'.lstrip('0')} {unit.name}"
+        scale = f"radial magnification {self.magnification}, centre suppressed · {small}"
+        peak = f"worst trough to peak {unit.error(worst.trough_to_peak)} {unit.name}"
+        rough = f"{peak}: {worst.wall} wall, {worst.place}"
+        self.sheet.text(20, 26, f"{self.name}: {self.inspection.curve.said(unit)}", font_size=15)
         self.sheet.text(20, 46, f"{cutter} · {scale} · outward is +")
         for place, wall in enumerate(self.inspection.walls.by_name):
             self.sheet.text(20 + 60 * place, 64, f"{wall} wall", fill=COLOURS[wall])
@@ -127,4 +129,4 @@ class _Graph:
             else:
                 y += 13
             bold = {"text_anchor": anchor, "fill": COLOURS[reading.wall], "font_weight": "bold"}
-            self.sheet.text(x, y, inches(reading.trough_to_peak), **bold)
+            self.sheet.text(x, y, self.unit.error(reading.trough_to_peak), **bold)

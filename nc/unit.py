@@ -6,13 +6,21 @@ from tapes.quantities import inches
 
 
 class Unit(NamedTuple):
-    """A unit of length: its name, how many make .001 in, its word in RS-274, its number in DXF."""
+    """A unit of length: its name, how many make .001 in, its word in RS-274, its number in DXF, and what a
+    small division of an instrument's graph is.
+    """
 
     name: str
     scale: float
     places: int
     word: str
     dxf: int
+    small: float
+
+    @property
+    def division(self) -> float:
+        """A small division, in thousandths of an inch."""
+        return self.small / self.scale
 
     def of(self, thousandths: float) -> float:
         """Return a length in this unit."""
@@ -40,5 +48,5 @@ class Unit(NamedTuple):
         return f"{'-' if thousandths < 0 and error.strip('.0') else '+'}{error}"
 
 
-INCH: Final = Unit("in", 0.001, 3, "G20", 1)
-MM: Final = Unit("mm", 0.0254, 3, "G21", 4)
+INCH: Final = Unit("in", 0.001, 3, "G20", 1, 0.001)
+MM: Final = Unit("mm", 0.0254, 3, "G21", 4, 0.02)

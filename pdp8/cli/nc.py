@@ -182,7 +182,7 @@ def inspect(
     from nc.report import inspection_report
 
     known = work(tape, feeds.settings(), named, metric, cutting.cutter, cutting.tolerance)
-    found = measure(known.path, known.curve, known.cutter, known.tolerance)
+    found = measure(known.path, known.curve, known.cutter, known.tolerance, metric.unit)
     if cutting.tolerance is not None and found.curve.guessed:
         raise click.UsageError(
             f"--tolerance needs the nominal curve, and none is known of {tape.name}: name it by --circle, "
@@ -193,12 +193,12 @@ def inspect(
     if talyrond:
         from nc.talyrond import talyrond as polar
 
-        drawings.append((talyrond, polar(found)))
+        drawings.append((talyrond, polar(found, unit=metric.unit)))
     if talysurf:
         from nc.talysurf import talysurf as trace
 
         part = (stretch[0] * 1000, stretch[1] * 1000) if stretch else None
-        drawings.append((talysurf, trace(found, part)))
+        drawings.append((talysurf, trace(found, part, unit=metric.unit)))
     for name, text in drawings:
         command.put(name, text)
     report = "\n".join(inspection_report(found, known.source, metric.unit))

@@ -52,21 +52,22 @@ class Inches(Within):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
         if isinstance(value, str):
-            unit = value.strip()[-2:]
-            metric = unit == "mm" or (unit != "in" and _is_metric(ctx))
             try:
-                value = float(value.strip().removesuffix(unit if unit in ("in", "mm") else ""))
+                value = _inches(value, ctx)
             except ValueError:
                 self.fail(f"{value!r} is not a length, such as .005, .005in or 0.127mm", param, ctx)
-            value = value / _MM if metric else value
         return super().convert(value, param, ctx)
 
 
 _MM = 25.4
 
 
-def _is_metric(ctx: click.Context | None) -> bool:
-    return bool(ctx and ctx.params.get("mm"))
+def _inches(text: str, ctx: click.Context | None) -> float:
+    """Return a length, with its unit or in the command's, in inches. Raises ValueError."""
+    unit = text.strip()[-2:]
+    metric = unit == "mm" or (unit != "in" and bool(ctx and ctx.params.get("mm")))
+    number = float(text.strip().removesuffix(unit if unit in ("in", "mm") else ""))
+    return number / _MM if metric else number
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ def numbers(
 ) -> Callable[[click.Context, click.Parameter, str | None], tuple[float, ...] | None]:
     """Return a callback that reads numbers separated by commas; with `one_for_all` one stands for all.
 
-    With `inches` they are lengths, and returned in inches.
+    With `inches` they are lengths, with a unit or without, and returned in inches.
     """
     count = len(names.split(","))
 
@@ -102,14 +103,14 @@ def numbers(
         if value is None:
             return None
         try:
-            given = tuple(float(part) for part in value.split(","))
+            given = tuple(_inches(part, ctx) if inches else float(part) for part in value.split(","))
         except ValueError:
             given = ()
         if len(given) == 1 and one_for_all:
             return given * count
         if len(given) != count or not all(isfinite(number) for number in given):
             raise click.BadParameter(f"{value!r} is not {names}: {count} numbers separated by commas")
-        return tuple(number / _MM for number in given) if inches and _is_metric(ctx) else given
+        return given
 
     return read
 
@@ -270,7 +271,9 @@ class Named:
         with naming(name):
             text = without_mark(content).decode("utf-8", "replace")
             if not companion.is_one(text):
-                corners = points.outline(table.read(content, mm).places, named.tolerance)
+                found = table.read(content, mm)
+                command.say_of(name, found.notes)
+                corners = points.outline(found.places, named.tolerance)
                 return named._replace(expression="", points=tuple(corners), source=name)
             if self.side or self.origin:
                 raise click.UsageError(f"{name} says the side and the place: leave out --side and --origin.")

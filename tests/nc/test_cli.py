@@ -17,7 +17,7 @@ from nc.talysurf import talysurf
 from pdp8.cli.nc import nc
 from tapes.paper import sized
 from tests.conftest import Call, Shell
-from tests.nc.tapes_1971 import CIRCLE, CIRCLE_BLOCKS, FOUR_HOLES, HEADER, tape
+from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, tape
 
 
 def product(shell: Shell, line: str, stdin: bytes = b"") -> str:
@@ -119,17 +119,6 @@ def test_lengths_are_inches_at_the_commands(shell: Shell) -> None:
         assert product(shell, f"pdp8 nc export --gcode {options}", holes).splitlines() == [*lines]
 
 
-def test_what_was_cut_before_a_bad_block_is_told(shell: Shell) -> None:
-    bad = tape(*CIRCLE_BLOCKS[:40], "041 2 00000 00000 0 00 80", *CIRCLE_BLOCKS[41:])
-    for command, first, lines in (("list", b"block seq ", 41), ("cut", b"blocks        40\n", 14)):
-        done = shell(f"pdp8 nc {command}", bad)
-        assert (done.returncode, len(done.stdout.splitlines())) == (1, lines)
-        assert done.stdout.startswith(first)
-        assert b"block 41, row 4: unknown preparatory function 2" in done.stderr
-    for command in ("plot -o out", "export --gcode -o out", "inspect --talyrond out"):
-        assert shell(f"pdp8 nc {command}; test ! -e out", bad).returncode == 0
-
-
 _ORIGIN = "4,5 in; the centre of a profile: 4,4 in"
 _KNOWN = ("that of the nominal curve, or 0.5", "that of the nominal curve, or 0.005")
 
@@ -156,13 +145,3 @@ def test_a_part_is_judged_by_the_curve_that_was_written_beside_its_tape(shell: S
     chain = f"{made} -o cam.asc && pdp8 run eia.pal --reader cam.asc --punch cam.eia --quiet"
     done = shell(f"{chain} && pdp8 nc inspect cam.eia --tolerance 0.003 | tail -1")
     assert b"within tolerance: " in done.stdout
-
-
-def test_a_tap_needs_its_pitch(shell: Shell) -> None:
-    frames = tape("001 0 00000 00000 0 30 88", "002 9 03000 03300 0 02 89", "003 1 01000 01000 0 00 80")
-    done = shell("pdp8 nc export --gcode", frames)
-    assert (done.returncode, b"block 3 taps" in done.stderr) == (1, True)
-    lines = product(shell, "pdp8 nc export --gcode --tap .05", frames).splitlines()
-    first = lines.index("G1 Z-0.3000 F90.0 (N3)")  # 1800 turns of .05 in
-    assert lines[first + 1 : first + 4] == ["M4 S1800", "G4 P1", "G1 Z0.0500 (N3)"]
-    assert shell("pdp8 nc export circle.eia --gcode --tap .05").returncode == 1

@@ -17,6 +17,7 @@ from nc.inspection import _PLACES, Inspection, Walls, _readings, followed, inspe
 from nc.plot import plot
 from nc.talyrond import _Graph, talyrond
 from nc.talysurf import talysurf
+from nc.unit import INCH, MM
 from pdp8 import shelf
 from tapes.errors import WorkError
 from tests.nc.tapes_1971 import CIRCLE, FOUR_HOLES, HEADER, milled, milling, staircase, tape
@@ -173,8 +174,20 @@ def test_the_talyrond_magnifies_as_much_as_its_divisions_leave_room_for() -> Non
         (100, 50, 50, 20, 20, 10, 10, 5, 5, 2, 2, 1, 1),
         strict=True,
     ):
-        graph = _Graph(walled(THE_CIRCLE, divisions), "")
+        graph = _Graph(walled(THE_CIRCLE, divisions), "", INCH)
         assert (graph.magnification, graph.rim) == (times, 45 + divisions * times / 10), divisions
+
+
+def test_a_graph_in_millimetres_has_a_scale_of_them() -> None:
+    """.1 mm at 100 times is 10 mm of paper; 25.4 mm of a wall are all of the trace."""
+    for drawing, one, other, apart in (
+        (talyrond(walled(THE_CIRCLE, 20), unit=MM), "0", "+0.100", 1000 / 25.4),
+        (talysurf(walled(StraightLine(0, 0, 1000, 0), 1), unit=MM), "2.00", "20.00", 660 * 18 / 25.4),
+    ):
+        texts = elements(drawing, "text")
+        at = {f"{each.text}": (float(each.attrib["x"]), float(each.attrib["y"])) for each in texts}
+        assert dist(at[one], at[other]) == pytest.approx(apart, abs=0.02)
+        assert not re.search(r"\d in\b|inch", " ".join(at))
 
 
 def test_the_figures_of_a_scale_have_room() -> None:
