@@ -37,6 +37,7 @@ UA tag         undefined: {name} is taken as {value}, the last address of its pa
                if it is the tag of line {line}, write {name}, there
 PS01           {why}
 PS01 name      {why} | {name} is PAL III's own; give it another name
+PS01 ZBLOCK    ZBLOCK makes far more words than 32K of core has | write it once for the same words
 PS02 DTORG     no loader can load this tape: DTORG punches a block number
                leave DTORG out: it is for DEC's typesetting
 PS02 RELOC     no loader can load this tape: it begins without an origin, as RELOC is still on at the end

@@ -14,7 +14,7 @@ cdef class Operators:
     cdef Punch _punch
     cdef Expression _expression
     cdef bint _exact, _opens
-    cdef int _start
+    cdef int _start, _zeros
     cdef public list origins
 
     cpdef bint obey(self, str name, int start) except -1

@@ -13,6 +13,7 @@ from pal.pal8.table import PSEUDO, REFERENCE, WEAK, SymbolTable
 from pal.symbols import SIGNIFICANT
 
 _CELLS_OF_EQUALS = 6  # of the push-down list
+_MOST_ZEROS = 1 << 18  # words of ZBLOCK in both passes: four times 32K in each
 
 
 class Operators:
@@ -32,6 +33,7 @@ class Operators:
         self._exact = exact
         self._start = 0  # the column of the operator
         self._opens = False  # whether a statement may follow it directly, as after a condition
+        self._zeros = 0  # words of ZBLOCK so far, in both passes
         self.origins: list[tuple[int, bool]] = []
 
     def set_origin(self) -> None:
@@ -105,6 +107,9 @@ class Operators:
         """ZBLOCK n."""
         count = self._argument()
         at = self._place()
+        self._zeros += count
+        if self._zeros > _MOST_ZEROS:
+            self._log.die("PS01 ZBLOCK")
         for _ in range(count):
             self._punch.write(0, at, self._expression.names, False)
 
@@ -285,7 +290,9 @@ class Operators:
         outside = lexer.level
         lexer.level += 1
         while True:
-            while column < len(text) and ("<" in text or ">" in text):
+            if not ("<" in text or ">" in text):
+                column = len(text)
+            while column < len(text):
                 character = text[column]
                 column += 1
                 lexer.level += (character == "<") - (character == ">")

@@ -219,6 +219,14 @@ def test_a_mistake_in_small_letters_is_the_one_that_is_reported() -> None:
     assert commented.dialect == "pal3"
 
 
+def test_zblock_makes_four_times_what_32k_of_core_has_and_no_more() -> None:
+    for last, said in (("40", []), ("41", ["PS01"])):
+        found = pal.assemble(
+            "*0\n" + "ZBLOCK 7777\n" * 32 + f"ZBLOCK {last}\n$\n", dialect="pal8"
+        ).diagnostics
+        assert [each.code for each in found if each.error] == said
+
+
 def test_a_source_with_pal8s_words_is_pal8s_if_it_has_no_more_errors_there() -> None:
     for line, dialect in (("\tTAD 8", "pal8"), ("\tTAD 8\n\tTAD 9", "pal3")):
         assert pal.assemble(f"*200\n\tZBLOCK 2\n{line}\n$\n", dialect="auto").dialect == dialect
