@@ -24,6 +24,8 @@ class Answer:
     source: str = ""
     fault: str = ""
     listing: Listing = field(default_factory=Listing)
+    sheet: str = ""
+    """The text of words spelled out, which may be a sheet."""
 
     def address(self, place: str) -> int:
         """Return the address that octal digits name, or a tag of the answer, or a tag with an offset."""
@@ -38,16 +40,25 @@ class Answer:
                 if _of_a_word(item[0])]  # fmt: skip
 
     def lines(self) -> dict[str, str]:
-        """Return a sheet's answers by their questions' names: `a: 270`, `(a) 270`, `- **a**: 270`."""
+        """Return a sheet's answers by their questions' names: `a: 270`, `(a) 270`, `- **a**: 270`; or
+        `a 270`, which may be a sentence, if no line has a mark behind that name.
+        """
         found: dict[str, str] = {}
-        for line in lines_of(self.source):
+        marked: set[str] = set()
+        for line in lines_of(self.source or self.sheet):
             plain = line.removeprefix("\ufeff").strip().lstrip(_BEFORE)
             end = 0
             while end < len(plain) and not plain[end].isspace() and plain[end] not in ":=." + _BEHIND:
                 end += 1
-            rest = plain[end:].lstrip(_BEHIND).lstrip()
+            name, behind = plain[:end].lower(), plain[end:].lstrip(_BEHIND)
+            rest = behind.lstrip()
+            ends = rest[:1] in (":", "=") or behind[:1] == "."
+            if ends or len(behind) + end < len(plain):
+                marked.add(name)
+            elif name in marked:
+                continue
             if end:
-                found[plain[:end].lower()] = (rest[1:] if rest[:1] in (":", "=", ".") else rest).strip()
+                found[name] = (rest[1:] if ends else rest).strip()
         return found
 
 

@@ -50,7 +50,8 @@ def of(content: bytes, name: str) -> Answer:
     code = codes.recognise(dump.unspelled(content)[0])
     try:
         if isinstance(code, Words):
-            return Answer(name, program.read(content, name).words)
+            sheet = content.decode("ascii", "replace") if _is_sheet(content) else ""
+            return Answer(name, program.read(content, name).words, sheet=sheet)
         if code in (codes.UNKNOWN, codes.EIA):
             content.decode()  # text, its comments in any language, or a picture, another program's file
     except WorkError as error:

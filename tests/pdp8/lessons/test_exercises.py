@@ -190,10 +190,13 @@ def test_a_mistake_must_change_one_place_of_the_solution() -> None:
 
 def test_a_sheet_is_read_however_its_lines_are_written() -> None:
     sheet = "\ufeffA: 270\r\n b) the digit 8\nc = 1,798.2\n\n d 5 \ne:6\nf=−7 µs\ng? 8\n"
-    sheet += "(h) 9\n- **i**: 1\n> [j]: (2)"
+    sheet += "(h) 9\n- **i**: 1\n> [j]: (2)\nk .5\nA note: b was a guess"
     read = handed.of(sheet.encode(), "s").lines()
-    assert list(read) == [*"abcdef", "g?", *"hij"]
-    assert list(read.values()) == ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8", "9", "1", "(2)"]
+    assert list(read) == [*"abcdef", "g?", *"hijk"]
+    said = ["270", "the digit 8", "1,798.2", "5", "6", "−7 µs", "8", "9", "1", "(2)", ".5"]
+    assert list(read.values()) == said
+    numbers = handed.of(b"1: 0270\n2: 0377\n", "s")
+    assert numbers.lines() == {f"{at:o}": f"{word:04o}" for at, word in numbers.words.items()} != {}
 
 
 def test_a_sheet_with_control_characters_is_no_tape_but_a_dump_and_a_spoilt_tape_are() -> None:
