@@ -204,7 +204,10 @@ def program(name: str, force: bool = False, dialect: str = "auto", memory: int =
     image = next((what for ending, what in _IMAGES.items() if name.lower().endswith(ending)), None)
     if image:
         raise ShelfError(f"{name}: no program tape: {image}")
-    return program.read(read(name), name, force, dialect, memory)
+    content = read(name)
+    if is_json(content):
+        raise ShelfError(f"{called(name)}: JSON, not a program; a saved state is restored, not loaded")
+    return program.read(content, name, force, dialect, memory)
 
 
 def programs(names: Sequence[str], memory: int = 0o10000) -> "Program":
@@ -238,6 +241,11 @@ def read_text(name: str, most: int = LARGEST) -> str:
     except UnicodeDecodeError as error:
         at = len(content) - len(text) + error.start
         raise ShelfError(f"{called(name)}: byte {at}: not UTF-8") from error
+
+
+def is_json(content: bytes) -> bool:
+    """Tell whether a file is JSON, as a saved state is, by the brace with which it begins."""
+    return without_mark(content).lstrip().startswith(b"{")
 
 
 def identity(name: str) -> object:

@@ -16,6 +16,7 @@ from pal.models import MODELS
 from pdp8 import shelf
 from pdp8.cli.shared import arguments, command
 from pdp8.cli.shared.arguments import Command, Folder, Source, Target, output
+from pdp8.cli.shared.frames import unspelled
 from pdp8.cli.shared.parameters import address
 from pdp8.cli.shared.progress import Busy
 from pdp8.cli.shared.rules import flag, option
@@ -217,6 +218,8 @@ def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> Non
     for name, content in zip(names, contents, strict=True):
         if ascii.only_figures(content):
             raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
+        if shelf.is_json(content):
+            raise AssemblyError(f"{called(name)}: JSON, not PAL source; `pdp8 dis` takes a saved state")
         code = codes.recognise(content)
         if not ok and (isinstance(code, Words) or code is codes.EIA):
             cure = "; `pdp8 dis` makes a source of it" * isinstance(code, Words)
@@ -308,11 +311,11 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
     """
     from pal.disassembler import disassemble_tape, field_of
     from pal.formatting import silenced
-    from tapes import binary, codes, dectape, dump
+    from tapes import binary, codes, dectape
     from tapes.code import Characters
     from tapes.loaders import Words
 
-    frames, note = dump.unspelled(shelf.read(tape))
+    frames, note = unspelled(tape, shelf.read(tape))
     tags = _symbols(symbols)
     said = [note] * bool(note)
     with naming(tape):

@@ -9,14 +9,13 @@ from pdp8 import shelf
 from pdp8.cli.os8 import extract, insert
 from pdp8.cli.shared import command, extras, progress
 from pdp8.cli.shared.arguments import Group, Source, Target, output
+from pdp8.cli.shared.frames import unspelled
 from pdp8.cli.shared.rules import flag, option
 from tapes import (
-    binary,
     codes,
     cutting,
     dectape,
     doubts,
-    dump,
     eia,
     frames,
     hydrapoint,
@@ -33,7 +32,6 @@ from tapes.errors import TapeError, called, naming
 from tapes.loaders import Words
 from tapes.paper import PAPERS as paper_sizes
 from tapes.paper import sized
-from tapes.text import without_mark
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _AUTO = "auto"
@@ -77,27 +75,21 @@ def _read(file: str) -> bytes:
 
 
 def _unspelled(file: str, content: bytes) -> bytes:
-    """Return the frames of a dump, of words or of a state, or `content` if it is none."""
-    if (text := without_mark(content).lstrip()).startswith(b"{"):
-        return _core_of_state(file, text)
-    found, note = dump.unspelled(content)
+    """Return the frames of a dump, of words or of a state, or `content` if it is none; say if it was."""
+    found, note = unspelled(file, content)
     command.say_of(file, [note] * bool(note))
     return found
-
-
-def _core_of_state(file: str, content: bytes) -> bytes:
-    """Return the BIN tape of the words in a saved state's core that are not 0000."""
-    from pdp8.computer.past import state
-
-    with naming(file):
-        core = state.restore(content.decode("utf-8", "replace")).core
-    command.say_of(file, ["a saved state, of whose core all words but 0000 are taken"])
-    return binary.encode({address: word for address, word in enumerate(core) if word})
 
 
 def _mended(content: bytes, values: dict[int, int]) -> bytes:
     _check_last("--mend", max(values, default=-1), content)
     return doubts.mended(content, values)
+
+
+def _say_short(file: str, last: int | None, content: bytes) -> None:
+    """Say that a tape ends before the frame that --to names."""
+    beyond = last is not None and last >= len(content)
+    command.say_of(file, [f"--to {last}: the last frame is {len(content) - 1}"] * beyond)
 
 
 def _check_last(option: str, frame: int, content: bytes) -> None:
@@ -208,6 +200,7 @@ def show(
         content = _unspelled(file, content)
     with naming(file):
         _check(first, len(content))
+    _say_short(file, last, content)
     stop = None if last is None else last + 1
     known = codes.recognise(content) if code == _AUTO else codes.named(code)
     if cut is not None:
@@ -351,6 +344,7 @@ def cut(
     content = _mended(_read(file), mend)
     with naming(file):
         _check(first, len(content))
+    _say_short(file, last, content)
     kept = range(first, len(content) if last is None else min(last + 1, len(content)))
     _check_last("--without", max((each[-1] for each in without), default=-1), content)
     piece = bytes(content[at] for at in kept if not any(at in each for each in without))

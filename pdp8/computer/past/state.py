@@ -103,9 +103,7 @@ def restore(
     """
     state = _parsed(text)
     devices = _object(state.get("devices", {}), "devices")
-    memory = _number(state.get("memory", FIELD), FIELD, max(SIZES), "memory")
-    if memory not in SIZES:
-        raise StateError(f"memory: {memory} words; {', '.join(f'{size}' for size in SIZES)} are allowed")
+    memory = _memory(state)
     machine = Machine(_fitted(devices, fitted, one_of_each() if known is None else known), memory)
     for number, fields in devices.items():
         _check_device(machine, number, fields)
@@ -131,6 +129,19 @@ def restore(
             device.restored()
     _check(machine)
     return machine
+
+
+def core(text: str) -> "array[int]":
+    """Return the core of a saved state, whatever devices and reels that needs. Raises StateError."""
+    state = _parsed(text)
+    return _copy(state.get("core", {}), "core", _words(bytes(2 * _memory(state))))
+
+
+def _memory(state: dict[str, Any]) -> int:
+    memory = _number(state.get("memory", FIELD), FIELD, max(SIZES), "memory")
+    if memory not in SIZES:
+        raise StateError(f"memory: {memory} words; {', '.join(f'{size}' for size in SIZES)} are allowed")
+    return memory
 
 
 def _fitted(

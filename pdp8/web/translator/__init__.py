@@ -58,6 +58,7 @@ OMITTED = {
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
     "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
     "pdp8.computer.past.history": "PipedHistory",
+    "pdp8.computer.past.state": "core",
     "pdp8.computer.use.ending": "rerun",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement",
     "nc.path": "__repr__ array",
@@ -90,8 +91,8 @@ TRUSTED = {
     "pdp8.computer.hardware.panel": "shares",
     "pdp8.computer.speed.waiting": "Left",
     "pdp8.computer.dectape.tc08": "TC08.__init__",
-    "pdp8.computer.past.state": "save _written restore _parsed _check_device _fields _number _octal"
-    " _frames _short",
+    "pdp8.computer.past.state": "save _written restore _parsed _memory _check_device _fields _number"
+    " _octal _frames _short",
     "pdp8.computer.past.rewind": "_check",
     "pdp8.computer.use.operator": "Operator",
     "pdp8.replay.script": "Script",
