@@ -539,6 +539,7 @@ def test_what_is_offered_mends_the_line_and_moves_no_other(dialect: str) -> None
                     after = one(text.content, dialect)
                     left = [each.code for each in after.found(0)]
                     assert left.count(found.code) < said.count(found.code)
+                    assert len(after.assembly.words) <= len(words) + 1, "no link is needed"
                     assert {code for code in left if code[:2] == "PN"} <= {*said, "PN36"}
                     if found.code == NO_SLASH:
                         assert found.line not in [each.line for each in after.found(0) if each.error]
