@@ -227,12 +227,12 @@ def first(items: Iterable[Item]) -> Item:
     return next((item for item in items if item.kind != FIELD), Item("", 0, 0))
 
 
-def find_apart(frames: bytes, reading: Reading) -> int | None:
-    """Return the frame of a second tape's leader behind the label at the end, or None."""
-    label = label_after(frames, reading.labels)
+def find_apart(frames: bytes, labels: tuple[range, ...]) -> int | None:
+    """Return the frame of a second tape's leader before or behind the label at the end, or None."""
+    label = label_after(frames, labels)
     if label is None:
         return None
-    at = label.start
+    at = len(frames[: label.start].rstrip(bytes([LEADER])))
     while (start := frames.find(LEAST_LEADER, at)) != -1:
         items, at, damage = _items(frames, skip(frames, start, LEADER), [])
         if damage is None and items[0].kind != WORD:
@@ -296,6 +296,10 @@ def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int
         elif frame >> 6 == 3:
             items.append(Item(FIELD, frame >> 3 & 7, at))
             at += 1
+        elif _closes(frames, at, items):
+            items.append(Item(WORD, _together(frames, at), at))
+            begun = summed = True
+            at += 2
         else:
             damage = _fault(frames, at)
             if damage:
@@ -318,6 +322,20 @@ def _close(items: list[Item]) -> Section:
     summed = items[:last]
     computed = sum(_frames_of(kind, value) for kind, value, _ in summed)
     return Section(tuple(summed), computed & 0o7777, punched, frame)
+
+
+def _closes(frames: bytes, at: int, items: list[Item]) -> bool:
+    """Whether two frames before a trailer, the second with channel 7, are the checksum: DEC's loader takes
+    any there.
+    """
+    if frames[at + 2 : at + 3] != bytes([LEADER]) or not 0o77 < frames[at + 1] < LEADER:
+        return False
+    return _together(frames, at) == sum(_frames_of(kind, value) for kind, value, _ in items) & 0o7777
+
+
+def _together(frames: bytes, at: int) -> int:
+    """Return the word that DEC's loader makes of two frames: it shifts the first, and adds the second."""
+    return (frames[at] << 6) + frames[at + 1] & 0o7777
 
 
 def _frames_of(kind: str, value: int) -> int:

@@ -39,6 +39,8 @@ WRITING = bytes([*range(0o007, 0o016), *range(0o040, 0o200), *range(0o207, 0o216
 FILL = bytes([BLANK, LEADER, RUBOUT])
 """Frames that are no characters and no words."""
 
+_LONGEST_LABEL = 1_000
+_END_OF_FILE = b"\x1a"
 _MOST_LINES = 2
 """Lines of a title: more are a text."""
 _NO_LETTERS = bytes([BLANK, LEADER])
@@ -128,8 +130,10 @@ def starts(frames: bytes) -> list[int]:
 
 
 def _is_title(frames: bytes) -> bool:
-    """Tell whether frames before a leader are a line or two of characters."""
-    return _lines(frames) <= _MOST_LINES and not frames.strip(_NO_LETTERS).translate(None, WRITING)
+    """Tell whether frames before a leader are a line or two of characters, or a file that ends with ^Z."""
+    text = frames.strip(_NO_LETTERS)
+    ended = text.endswith(_END_OF_FILE)
+    return (ended or _lines(text) <= _MOST_LINES) and not text.strip(_END_OF_FILE).translate(None, WRITING)
 
 
 def _lines(frames: bytes) -> int:
@@ -187,8 +191,13 @@ def channels(frame: int) -> tuple[int, ...]:
 
 
 def draw_label(frames: bytes, columns: int = 72) -> list[str]:
-    """Letters for the eye as rows, a frame a column, channel 1 at the top; new rows after so many columns."""
-    holes = frames.strip(bytes([BLANK]))
+    """Lines of characters as they are; letters for the eye as rows, a frame a column, channel 1 at the top,
+    new rows after so many columns; the first 1,000 frames.
+    """
+    text = frames.strip(_NO_LETTERS + _END_OF_FILE)
+    if b"\r\n" in text and not text.translate(None, WRITING):
+        return text.translate(PARITIES["none"]).decode("ascii").split("\r\n")
+    holes = frames.strip(bytes([BLANK]))[:_LONGEST_LABEL]
     rows = []
     for start in range(0, len(holes), columns):
         piece = holes[start : start + columns]

@@ -146,7 +146,7 @@ class _Bin(Words):
         return Known(binary.find_damage(reading), reading.labels, reading.notes, reading.start)
 
     def left_out(self, frames: bytes) -> tuple[str, ...]:
-        start = binary.find_apart(frames, binary.read(frames))
+        start = binary.find_apart(frames, binary.read(frames).labels)
         apart = f"after the label, from frame {start} on, a good section: a tape of its own, left out"
         return (*super().left_out(frames), *[apart] * (start is not None))
 
@@ -170,13 +170,15 @@ class _Bin(Words):
             elif frame == BLANK and (at == 0 or frames[at - 1] == LEADER):  # blank tape is no word
                 end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
-            elif frame < LEADER and end < len(frames) and frames[end] < 0o100:
-                value = (frame & 0o77) << 6 | frames[end]
+            elif frame < LEADER and end < len(frames) and frames[end] < LEADER:
+                value = ((frame & 0o77) << 6) + frames[end]
                 end += 1
-                if frame >> 6:
+                if frame >> 6 and frames[end - 1] < 0o100:
                     caption, address = f"origin {value:04o}", value
                 elif address is None or frames[end : end + 1] == bytes([LEADER]):
-                    caption, address = f"checksum {value:04o}", None
+                    caption, address = f"checksum {value & 0o7777:04o}", None
+                elif frames[end - 1] > 0o77:
+                    caption = "?"
                 else:
                     caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
                 said += [caption, '"']
@@ -208,7 +210,7 @@ class _Bin(Words):
             rows.append(("core", ranges(binary.content(reading).words)))
         rows += [("note", note) for note in reading.notes]
         rows += _labels(frames, reading.labels)
-        start = binary.find_apart(frames, reading)
+        start = binary.find_apart(frames, reading.labels)
         if start is not None:
             apart = f"a good section from frame {start} on, after the label: a tape of its own"
             rows.append(("apart", apart))

@@ -22,6 +22,7 @@ card.
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from tapes import binary
 from tapes.errors import TapeError
 from tapes.frames import (
     BLANK,
@@ -104,6 +105,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
     labels = [*label_before(frames, start)]
     gaps: list[str] = []
     damage: TapeError | None = None
+    apart: int | None = None
     while at < len(frames):
         if frames[at] >= LEADER:
             after = _passed_over(frames, at)
@@ -120,7 +122,12 @@ def _read_from(frames: bytes, start: int) -> Reading:
             continue
         after = skip(frames, at, BLANK)
         if words and _after_trailer(frames, at):
-            labels += [range(after, len(frames))] * (after < len(frames))
+            rest = range(after, len(frames))
+            apart = binary.find_apart(frames, (rest,)) if rest else None
+            if apart is None or apart > after:
+                labels += [rest] * (len(rest) > 0)
+            else:
+                gaps.append(f"a good BIN section from frame {apart} on: a tape of its own, left out")
             break
         if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
             break  # torn: a last frame of anything; a trailer has no blank tape before it
@@ -129,8 +136,8 @@ def _read_from(frames: bytes, start: int) -> Reading:
             break
         gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
         at = after
-    labelled = label_after(frames, tuple(labels)) is not None
-    notes = (*missing_leader(frames, start), *gaps, *([] if damage or labelled else _ending(frames[end:])))
+    ended = damage is not None or apart is not None or label_after(frames, tuple(labels)) is not None
+    notes = (*missing_leader(frames, start), *gaps, *([] if ended else _ending(frames[end:])))
     return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
 
 

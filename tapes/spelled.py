@@ -1,6 +1,7 @@
 """Words of core spelled out as text, as courses and other tools have them: read by their form, and written.
 
-    octal       0200: 7300 1250          an address and words, octal; also 0200 7300, 0200/7300, 0200=7300
+    octal       0200: 7300 1250          an address and words, octal; also 0200 7300, 0200/7300, 0200=7300,
+                                         0200:73001250, and 0200: alone at the end, where the program starts
     readmemh    @080 ec0 2a8             Verilog's $readmemh, hexadecimal
     ep          EP:080 / 080:EC0         an entry point, then an address and its word, hexadecimal
     deposits    d 200 7300 1250          deposits of a SIMH script; go, set and echo are passed over
@@ -108,6 +109,10 @@ def _store(words: dict[int, int], first: int, values: list[int]) -> None:
 
 
 def _read_octal(lines: list[list[str]], words: dict[int, int]) -> int:
+    start = -1
+    if len(lines[-1]) == 1 and lines[-1][0].endswith(":"):
+        start = _number(lines[-1][0].removesuffix(":"), 8, 1, 5)
+        lines = lines[:-1]
     for line in lines:
         text = " ".join([token.removeprefix("0o") for token in line])
         marked = ":" in text or "=" in text
@@ -121,8 +126,11 @@ def _read_octal(lines: list[list[str]], words: dict[int, int]) -> int:
             raise ValueError
         least = 1 if marked and len(numbers[0]) > 2 else 4
         first = _number(numbers[0], 8, 1 if marked else 3, 5)
-        _store(words, first, [_number(each, 8, least, 4) for each in numbers[1:]])
-    return -1
+        values = numbers[1:]
+        if marked and len(values) == 1 and len(values[0]) % 4 == 0:
+            values = [values[0][at : at + 4] for at in range(0, len(values[0]), 4)]
+        _store(words, first, [_number(each, 8, least, 4) for each in values])
+    return start
 
 
 def _read_readmemh(lines: list[list[str]], words: dict[int, int]) -> int:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from tapes import ascii, binary, codes, rim
 from tapes.errors import TapeError
-from tapes.frames import leader
+from tapes.frames import draw_label, leader
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.computer.hardware.test_simh import SIMH
 from tests.tapes.strips import FORMAT_BIN, FORMAT_WORDS, LEADER, octal, refused
@@ -97,7 +97,7 @@ LABELS = {
 
 def apart(frames: bytes) -> int | None:
     """Return where a good section begins after the label of this tape."""
-    return binary.find_apart(frames, binary.read(frames))
+    return binary.find_apart(frames, binary.read(frames).labels)
 
 
 @pytest.mark.parametrize("label", LABELS.values(), ids=LABELS)
@@ -137,6 +137,34 @@ def test_letters_before_the_leader_are_a_label(label: str, after: str) -> None:
     damaged = bytearray(labelled)
     damaged[len(front) + 67] ^= 0o002
     assert codes.recognise(bytes(damaged)) is codes.BIN
+
+
+def test_a_file_of_text_before_the_leader_is_a_label() -> None:
+    """As before DEC's MAINDECs of the PDP-8/I, which CP/M kept."""
+    front = b"digital\r\nMAINDEC-08-D1GB-PB  5/5/68\r\nPDP 8I,8,8/S\r\nEXTENDED MEMORY\r\n\x1a"
+    labelled = front + FORMAT_BIN
+    assert codes.recognise(labelled) is codes.BIN
+    assert binary.decode(labelled).words == FORMAT_WORDS
+    assert draw_label(front)[:2] == ["digital", "MAINDEC-08-D1GB-PB  5/5/68"]
+    assert codes.recognise(front[:-1] + FORMAT_BIN) is not codes.BIN
+
+
+def test_a_checksum_with_channel_7_is_as_decs_loader_makes_it() -> None:
+    """DEC-08-LBAA shifts the first frame and adds the second; FOCAL-8.bn of the PiDP-8 ends so, AC = 0000."""
+    for closing in ("101 112", "001 112"):
+        assert binary.decode(tape(f"102 000 011 077 {closing}")).words == {0o200: 0o1177}
+        assert codes.BIN.captions(tape(f"102 000 011 077 {closing}"))[-66:-64] == ["checksum 0212", '"']
+    for closing in ("101 113", "101 312", "112 101", "101 112 000 000"):
+        assert refused(binary.decode, tape(f"102 000 011 077 {closing}"))
+
+
+def test_a_bin_tape_behind_a_rim_tape_is_a_tape_of_its_own() -> None:
+    """As EduSystem 20-C has it: a loader in RIM, then what that loader reads."""
+    loader = rim.encode({0o7600: 1, 0o7774: 0o5200})
+    for gap, start in (b"", len(loader) - 64), (bytes(9), len(loader) + 9):  # without a gap, one leader
+        said = f"a good BIN section from frame {start} on: a tape of its own, left out"
+        assert rim.read(loader + gap + binary.encode(FORMAT_WORDS))[1:4] == (None, (), (said,))
+    assert rim.read(loader + FORMAT_BIN[:-66] + b"\1\1" + leader()).labels
 
 
 def test_a_section_without_its_leader_is_no_label() -> None:

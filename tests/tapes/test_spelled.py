@@ -28,6 +28,7 @@ FORMS = {
     "dep -m 200 7300\nd 201 1250\nd 202 7402\nd 250 2\n": "deposits of a SIMH script",
     "@80\n0b111011000000\n0b001010101000\n0b111100000010\n@a8\n0b000000000010\n": "lines of twelve bits",
     "0200: 7300 1250 7402\n0250: 0002\n": "octal addresses and words",
+    "0200:730012507402\n0250:0002\n0200:\n": "octal addresses and words; it starts at 0200",  # mrieker/pdp8v
     ":06010000C00EA802020F70\n:020150000200AB\n:00000001FF\n": "Intel's hexadecimal records",
     ":060100000ec002a80f0270\n:020150000002AB\n:020000040000FA\n:00000001FF\n": "Intel's hexadecimal records",
     "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
