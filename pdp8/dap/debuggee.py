@@ -45,14 +45,14 @@ def _at(points: Sequence[Point]) -> Halt:
 class Debuggee:
     """A machine prepared by a configuration."""
 
-    def __init__(self, launch: Launch, breakpoints: Breakpoints, first_line: int = 1) -> None:
+    def __init__(self, launch: Launch, breakpoints: Breakpoints, first: tuple[int, int] = (1, 1)) -> None:
         self.launch = launch
         self.breakpoints = breakpoints
         self.said: list[str] = []
         """What the monitor has said since this was last emptied."""
         self.monitor, program = launch.ready(self.said.append)
         self.said += [f"{program.name}: {note}" for note in program.notes]
-        self.places = Places(program, first_line)
+        self.places = Places(program, *first)
         self._shown = 0
         self._punched = b""
         self._goal: motion.Goal | None = None

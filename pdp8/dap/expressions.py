@@ -82,7 +82,8 @@ def _value(node: ast.expr, text: str, monitor: Monitor, address: bool) -> Value:
         case ast.BinOp(left, sign, right):
             one, other = (_value(each, text, monitor, address) for each in (left, right))
             made = _MADE[type(sign)]
-            most = monitor.machine.memory - 1 if address else 0o7777
+            joins = isinstance(sign, ast.BitAnd | ast.BitOr)
+            most = monitor.machine.memory - 1 if address or joins else 0o7777
             return lambda: made(one(), other()) & most
         case ast.Compare(left, [sign], [right]):
             one, other = (_value(each, text, monitor, address) for each in (left, right))

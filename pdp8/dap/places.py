@@ -44,12 +44,15 @@ def place(text: str, offset: int = 0) -> int:
 
 
 class Places:
-    """Where a program's words are in its sources; `first` is the editor's number of line 1."""
+    """Where a program's words are in its sources; `first` and `column` are the editor's numbers of line and
+    column 1.
+    """
 
-    def __init__(self, program: Program, first: int = 1) -> None:
+    def __init__(self, program: Program, first: int = 1, column: int = 1) -> None:
         self.listing = listing = program.listing
         self.name = program.name
         self._first = first
+        self.column = column
         self._paths = [os.path.realpath(shelf.find(name)) for name in program.names]
         self._times = self._stamps()
         self._sources: list[Body] = [{"name": os.path.basename(path), "path": path} for path in self._paths]
@@ -68,7 +71,7 @@ class Places:
         if address not in self.lines:
             return None
         tape, line = self.lines[address]
-        return {"source": self._sources[tape], "line": line, "column": 1}
+        return {"source": self._sources[tape], "line": line, "column": self.column}
 
     def _tape(self, source: Body) -> int | None:
         """Return the tape that the editor names by path or URI, None for another file."""

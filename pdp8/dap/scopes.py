@@ -147,7 +147,7 @@ def set_expression(debuggee: Debuggee, arguments: Body) -> Body:
 
 
 def _deposit(monitor: Monitor, name: str, value: str) -> None:
-    monitor.machine.core[monitor.address(name)] = octal(f"{monitor.address(value):o}")
+    monitor.machine.core[monitor.address(name)] = monitor.word(value)
 
 
 def set_lines(debuggee: Debuggee, arguments: Body) -> Body:
@@ -179,7 +179,7 @@ def goto_targets(debuggee: Debuggee, arguments: Body) -> Body:
 
 def completions(debuggee: Debuggee, arguments: Body) -> Body:
     """Return completions for a console line: commands first, then registers and symbols."""
-    begun = arguments["text"][: max(arguments["column"] - 1, 0)].rpartition(" ")
+    begun = arguments["text"][: max(arguments["column"] - debuggee.places.column, 0)].rpartition(" ")
     known = [*_named(debuggee.monitor.machine), *debuggee.monitor.listing.symbols]
     names = known if begun[1] else [*COMMANDS, *known]
     typed = begun[2].upper()

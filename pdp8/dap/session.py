@@ -63,7 +63,7 @@ class Session:
     def __init__(self, reader: BinaryIO, writer: BinaryIO) -> None:
         self._room: Debuggee | None = None
         self._breakpoints = Breakpoints()
-        self._first_line = 1
+        self._first = 1, 1
         self._runs = self._finished = self._ended = self._works = self._paused = self._reports = False
         """In this order: the editor takes the machine as running; it takes the program as ended; it has left;
         a request is being carried out; the editor asked to pause that one; it shows progress.
@@ -183,12 +183,13 @@ class Session:
         return self._loaded
 
     def _initialize(self, arguments: Body) -> Body:
-        self._first_line = int(arguments.get("linesStartAt1") is not False)
+        lines, columns = arguments.get("linesStartAt1"), arguments.get("columnsStartAt1")
+        self._first = int(lines is not False), int(columns is not False)
         self._reports = bool(arguments.get("supportsProgressReporting"))
         return dict.fromkeys(_CAPABILITIES.split(), True)
 
     def _load(self, launch: Launch) -> None:
-        made = Debuggee(launch, self._breakpoints, self._first_line)
+        made = Debuggee(launch, self._breakpoints, self._first)
         self._leave()
         self._room, self._runs, self._finished = made, False, False
         self._place_anew(reloaded=True)

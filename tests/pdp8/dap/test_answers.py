@@ -394,7 +394,12 @@ def test_an_address_has_its_field_in_an_expression(tmp_path: Path) -> None:
     """And a number is as large as core, in 4K as well."""
     (tmp_path / "x.pal").write_text("*200\nHLT\nFIELD 1\n*200\nN, 1234\n5\n$\n")
     monitor, _ = Launch.of({"program": str(tmp_path / "x.pal"), "memory": "8k"}).ready(print)
-    for text, value in (("N", 0o1234), ("core[N+1]", 5), ("core[10200]", 0o1234), ("core[200]", 0o7402)):
+    for line in ("set pc N", "assert pc N", "set ac N", "assert ac 200", "deposit 300 N", "assert 300 N"):
+        do(monitor, line)
+    for text, value in (
+        ("N", 0o1234), ("core[N+1]", 5), ("core[10200]", 0o1234), ("core[200]", 0o7402), ("AC", 0o200),
+        ("PC & 10000", 0o10000), ("PC | 1", 0o10201), ("core[300]", 0o200),
+    ):  # fmt: skip
         assert expressions.read(text, monitor)() == value, text
     for each, most in ((monitor, 0o17777), (Monitor(print), 0o7777)):
         assert expressions.read(f"core[{most:o}]", each)() == 0

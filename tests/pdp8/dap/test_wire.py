@@ -295,17 +295,24 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "line"), [({}, 2), ({"linesStartAt1": True}, 2), ({"linesStartAt1": False}, 1)]
-)
-def test_lines_begin_at_1_unless_an_editor_says_0(words: dict[str, Any], line: int, tmp_path: Path) -> None:
+    ("lines", "columns"), [({}, {}), ({"linesStartAt1": True}, {"columnsStartAt1": False}),
+                           ({"linesStartAt1": False}, {"columnsStartAt1": True})]
+)  # fmt: skip
+def test_lines_and_columns_begin_at_1_unless_an_editor_says_0(
+    lines: dict[str, Any], columns: dict[str, Any], tmp_path: Path
+) -> None:
+    line, column = 2 - (False in lines.values()), 1 - (False in columns.values())
     (tmp_path / "own.pal").write_text("*200\n\tCLA\n\tHLT\n$\n")
     source = {"path": str(tmp_path / "own.pal")}
     launch = ("launch", {"program": source["path"], "stopOnEntry": True})
     points = ("setBreakpoints", {"source": source, "breakpoints": [{"line": line}]})
-    *_, placed, frames = held(("initialize", words), launch, points, ("stackTrace", {"threadId": 1}))
+    asked = ("stackTrace", {"threadId": 1}), ("completions", {"text": "detail", "column": 3 + column})
+    *_, placed, frames, found = held(("initialize", lines | columns), launch, points, *asked)
     (point,) = placed["body"]["breakpoints"]
     assert (point["line"], point["instructionReference"]) == (line, "0x0100")
-    assert frames["body"]["stackFrames"][0]["line"] == line
+    (frame,) = frames["body"]["stackFrames"]
+    assert (frame["line"], frame["column"]) == (line, column)
+    assert found["body"]["targets"] == [{"label": "detach"}]
 
 
 @pytest.mark.parametrize(("shows", "every"), [(True, -1), (False, -1), (True, 99)])
