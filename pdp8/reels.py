@@ -7,6 +7,8 @@ file of its own. What nobody saved is left beside the file it came from.
 import os
 import tempfile
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from itertools import product
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
@@ -148,6 +150,22 @@ class Reels:
     def mounted(self) -> list[Reel | Discs]:
         """Return the places where something is."""
         return [place for place in self.places.values() if place.file]
+
+    @contextmanager
+    def staying(self, devices: Sequence[Peripheral]) -> Iterator[None]:
+        """Let a DF32 among new `devices` have what is on the discs. Then others are looked at: put back the
+        reels that are on none of their drives, with what was written on them, where the drive is empty.
+        """
+        drives = [(place, place.drive) for place in self.places.values() if isinstance(place, Reel)]
+        for place, control in product(self.places.values(), devices):
+            if isinstance(place, Discs) and isinstance(control, DF32):
+                control.content = place.control.content
+        yield
+        mounted = self.images()
+        for reel, was in drives:
+            if was.image and was.image not in mounted and not reel.drive.image:
+                reel.drive.mount(was.image, bool(was.locked))
+                reel.drive.blocks = was.blocks
 
     def images(self) -> list[dectape.Image]:
         """Return the reels as they were mounted."""

@@ -227,6 +227,10 @@ class _Run:
 
             booted = self.mounted.places["dt0" if "dt0" in self.reels_in else "df"]
             bootstrap.boot(self.machine, booted.bootstrap)
+        if options.restore is not None:
+            from pdp8.computer.use.operator import Operator
+
+            Operator(self.machine).throw_what_waits()
         self.began = self.machine.values()
         if self.paged or self.feed.left:
             PipedHistory(self.machine)

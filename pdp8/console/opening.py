@@ -1,5 +1,6 @@
 """The room as the operator finds it: what is in core, in the reader, and at hand."""
 
+import os
 from collections.abc import Callable
 from time import perf_counter
 
@@ -8,9 +9,14 @@ from pdp8.computer.hardware.extension import FIELD
 from pdp8.computer.machine import Machine
 from pdp8.computer.use.program import Program
 from pdp8.console.session import Session, Tape
-from tapes import rim
+from tapes import codes, rim
 
 DATA = ("circle.asc", "ellipse.asc")
+
+
+def label(program: Program) -> str:
+    """Return the name of the tape that loads a program: a source is punched in BIN format."""
+    return f"{os.path.splitext(program.name)[0]}.bin" if program.code is codes.ASCII else program.name
 
 
 def opening(
@@ -27,12 +33,11 @@ def opening(
     """
     rim_loader, loader = shelf.bundled_program("rim.pal"), shelf.bundled_program("bin.pal")
     last = shelf.program(program, memory=memory) if program else shelf.bundled_program("eia.pal")
-    label = f"{last.name.removesuffix('.pal')}.bin" if last.name.endswith(".pal") else last.name
-    tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label, last.tape)]
+    tapes = [Tape("bin.rim", rim.encode(loader.words)), Tape(label(last), last.tape)]
     machine = Machine(memory=memory)
     session = Session(machine, [*tapes, *(Tape(name, shelf.read_bundled(name)) for name in DATA)], clock)
     if reader:
-        session.tapes.append(Tape(reader, shelf.read(reader)))
+        session.lay(Tape(reader, shelf.read(reader)))
         session.mount(session.tapes[-1])
     if program and not cold:
         machine.load(last.words)

@@ -17,8 +17,10 @@ from textual.widget import Widget
 from pdp8.computer.use import keys
 from pdp8.computer.use.operator import RIM, RIM_START
 from pdp8.computer.use.program import Program
+from pdp8.console.opening import label
 from pdp8.console.session import Session
 from pdp8.lessons.drill import Coach
+from tapes import codes
 from tapes.quantities import duration
 
 _INK = Style(color="#2d2618")
@@ -183,11 +185,11 @@ class Card(Page):
         super().__init__(session, name)
         lines, places = rim.listing.lines, rim.listing.places
         self.statements = {address: _statement(lines[place]) for address, place in places.items()}
-        tape = f"{program.name.removesuffix('.pal')}.bin"
+        reads = "7756 L S, at its end T" if program.code is codes.RIM else "7777 L S, halts, AC 0"
         self.steps = (
             "1 RIM: SR 7756 L, then each word D",
             "2 bin.rim: O, SR 7756 L S, at its end T",
-            f"3 {tape}: O, SR 7777 L S, halts, AC 0",
+            f"3 {label(program)}: O, SR {reads}",
             "4 its data: O, SR 0200 L S",
         )
 

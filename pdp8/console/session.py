@@ -23,7 +23,7 @@ from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop
 from pdp8.computer.use.ending import ended, told
-from pdp8.computer.use.operator import RIM, RIM_START, Operator
+from pdp8.computer.use.operator import DEAD, RIM, RIM_START, Operator
 from pdp8.computer.use.trace import Listing
 from pdp8.computer.watch import instruction_at
 from tapes import codes
@@ -133,15 +133,15 @@ class Session:
     def press(self, key: str) -> None:
         """Press a momentary key, named as the Panel's method is: load_add, start, cont, stop, exam, dep."""
         panel = self.machine.panel
+        self._hands = None
         self.operator.press(key)
         self._explained_at = -1
         if key == "stop":
-            self._hands = None
             self.said = f"stopped before {self.machine.pc:04o}"
         elif key in ("start", "cont") and panel.lamps.run:
             self.said = "running"
         elif panel.lamps.run:
-            self.said = "the machine runs: all keys but STOP are dead"
+            self.said = DEAD
         elif panel.lamps.protect:
             self.said = ended(Stop(Reason.PROTECT, self.machine.pc, 0.0), self.machine)
         elif key in ("start", "cont"):
@@ -188,7 +188,8 @@ class Session:
         for _ in self.operator.toggle(RIM_START, RIM):
             self.said = f"toggling RIM in: {self.machine.mb:04o} into {self.machine.ma:04o}"
             yield
-        self.said = "the RIM loader is in core"
+        refused = self.machine.panel.lamps.protect
+        self.said = "MEM PROT is up: RIM did not go in" if refused else "the RIM loader is in core"
 
     def _work(self, seconds: float) -> None:
         """Press the keys that fit into `seconds`."""
@@ -210,8 +211,12 @@ class Session:
         punch = self.machine.teletype.punch
         tape = Tape(name, punch.tape)
         punch.frames.clear()
-        self.tapes = [other for other in self.tapes if other.name != name] + [tape]
+        self.lay(tape)
         return tape
+
+    def lay(self, tape: Tape) -> None:
+        """Lay a tape with the others, in place of one of its name."""
+        self.tapes = [other for other in self.tapes if other.name != tape.name] + [tape]
 
     def clear(self, tapes: list[Tape]) -> None:
         """Forget messages and planned actions, with `tapes` at hand: the next operator comes."""

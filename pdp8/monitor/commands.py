@@ -131,7 +131,7 @@ COMMANDS = {
         Command("set", "NAME WORD", simh.set_, f"one of {debugging.NAMES} and a word"),
         Command("registers", "", debugging.registers),
         Command("load", "PROGRAM [force]", tapes.load, "the name of a program"),
-        Command("boot", "PROGRAM [force]", rack.boot, "the name of a program"),
+        Command("boot", "PROGRAM [force]|DEVICE", rack.boot, "the name of a program"),
         Command("listing", "PROGRAM", tapes.listing, "the name of a program"),
         Command("rim", "", tapes.rim),
         Command("key", "KEY ...", debugging.key, f"one or more of the keys {' '.join(debugging.KEYS)}"),

@@ -10,6 +10,7 @@ from pdp8.computer.hardware.extension import FIELD, MEMORY
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import counted
+from pdp8.computer.use.operator import DEAD
 from pdp8.computer.use.trace import Trace
 from pdp8.computer.watch import Observer, Watch
 from pdp8.monitor.arguments import MonitorError, octal, seconds, some
@@ -45,7 +46,7 @@ _NO_EAE = ("mq", "sc", "gtf")
 
 def examine(monitor: Monitor, place: str, *more: str) -> None:
     """Say words of core, each with its line of the listing, or a register."""
-    for each in ",".join((place, *more)).split(","):
+    for each in " ".join((place, *more)).replace(",", " ").split() or [place]:
         _examine(monitor, each)
 
 
@@ -71,7 +72,7 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
         set_(monitor, place, *some((word, *more), "a word", 1, 1))
         return
     addresses = _words(monitor, place)
-    words = [octal(f"{monitor.address(each):o}") for each in (word, *more)]
+    words = [monitor.word(each) for each in (word, *more)]
     if len(addresses) > 1 and more:
         raise MonitorError(
             f"{place}: a range is filled with one word; give several with the first address alone"
@@ -96,8 +97,8 @@ def set_(monitor: Monitor, name: str, text: str) -> None:
     name = register(name)
     most = (monitor.machine.memory >> 12) - 1
     if name in REGISTERS:
-        word = monitor.address(text)
-        setattr(monitor.machine, name, octal(f"{word:o}", greatest(monitor.machine, name)))
+        most = greatest(monitor.machine, name)
+        setattr(monitor.machine, name, monitor.word(text, most))
     elif name in EXTENSION:
         value(monitor.machine, name)
         digits = octal(text, int(f"{most:o}" * len(EXTENSION[name]), 8))
@@ -186,6 +187,8 @@ def key(monitor: Monitor, first: str, *more: str) -> None:
         if name not in KEYS:
             raise MonitorError(f"{name}: the keys are {' '.join(KEYS)}")
     for name in names:
+        if name != "stop" and monitor.machine.panel.lamps.run:
+            monitor.say(f"{name}: {DEAD}")
         monitor.operator.press(name)
 
 

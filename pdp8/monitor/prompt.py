@@ -119,11 +119,15 @@ class Monitor:
         return observer.each if isinstance(observer, Observers) else [observer] if observer else []
 
     def turn_to(self, text: str) -> None:
-        """Use the machine of state `text`; devices, reels, breakpoints within its core and pace stay."""
-        watch, pace = self.machine.watch, self.operator.pace
+        """Use the machine of state `text`. Devices, reels and discs that it does not know of stay, as do
+        breakpoints within its core, pace and page.
+        """
+        watch, pace, page = self.machine.watch, self.operator.pace, self.machine.teletype.printer.on_frame
         fitted = [type(device)() for device in self.machine.devices]
-        self.attend(state.restore(text, fitted, self.reels.images(), fitting.known(), fitting.MOUNT))
+        with self.reels.staying(fitted):
+            self.attend(state.restore(text, fitted, self.reels.images(), fitting.known(), fitting.MOUNT))
         self.machine.watch, self.operator.pace = watch, pace
+        self.machine.teletype.printer.on_frame = page
         memory = self.machine.memory
         beyond = {at for at in watch.breakpoints | watch.writes | watch.reads if at >= memory}
         if beyond:
@@ -166,6 +170,12 @@ class Monitor:
             raise MonitorError(f"{text}: not between 0000 and {self.machine.memory - 1:o}")
         return address
 
+    def word(self, text: str, most: int = 0o7777) -> int:
+        """Return the number of `text`, up to `most`; as a word, a symbol's address is without its field."""
+        number = self.address(text)
+        named = most == 0o7777 and not text[0].isdecimal()
+        return octal(f"{number & most if named else number:o}", most)
+
     def _named(self, name: str) -> int:
         symbol = self.listing.symbols.get(name.upper()[:6])
         if symbol is not None:
@@ -181,6 +191,8 @@ class Monitor:
         if counts:
             begin = self.address(begin_at)
             end = begin + octal(words or text, self.machine.memory)
+            if end == begin:
+                raise MonitorError(f"{text}: no words")
             if end > self.machine.memory:
                 raise MonitorError(f"{text}: goes beyond {self.machine.memory - 1:o}")
             return range(begin, end)

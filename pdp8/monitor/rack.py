@@ -5,7 +5,6 @@ import re
 from pdp8 import fitting, reels
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.bus import Peripheral
-from pdp8.computer.past.history import History
 from pdp8.computer.rack.df32 import DF32
 from pdp8.computer.rack.kw8 import KW8
 from pdp8.computer.rack.lp08 import LP08
@@ -58,7 +57,7 @@ def fit(monitor: Monitor, kind: str) -> None:
     if not fitted(monitor, kind):
         fitting.fit(monitor.machine, [RACK[kind]])
         monitor.reels.look_at(monitor.machine.devices)
-        monitor.history = History(monitor.machine)
+        monitor.history = type(monitor.history)(monitor.machine)
 
 
 def fitted(monitor: Monitor, kind: str) -> bool:
@@ -117,8 +116,8 @@ def lock(monitor: Monitor, device: str, value: str) -> bool:
 
 
 def boot(monitor: Monitor, name: str, *more: str) -> None:
-    """Load a program from cold as an operator does; with force, whatever its checksum. `boot ptr` reads what
-    is in the reader by RIM.
+    """Load a program from cold as an operator does; with force, whatever its checksum. ptr, what is in the
+    reader, and dt0 or df run as `run` does.
     """
     if name.startswith("-"):
         name, *rest = some(more, "the name of a program")
@@ -126,8 +125,9 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
     if what := absent(monitor, name):
         raise MonitorError(f"{name}: {what}")
     if _DEVICE.fullmatch(name):
+        running.goal_of(more)
         bootstrap.boot(monitor.machine, _mounted(monitor, name).bootstrap)
-        running.run(monitor)
+        running.run(monitor, *more)
     else:
         tapes.boot(monitor, name, *more)
 

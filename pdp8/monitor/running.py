@@ -16,7 +16,7 @@ from pdp8.computer.hardware.signals import TICKS_PER_SECOND
 from pdp8.computer.hardware.teletype import printed
 from pdp8.computer.stop import Reason, Stop
 from pdp8.monitor.arguments import LONGEST, MonitorError, Quoted, seconds, some
-from pdp8.monitor.debugging import is_register, value
+from pdp8.monitor.debugging import is_register, register, value
 from pdp8.monitor.prompt import Monitor
 from tapes.quantities import counted
 
@@ -44,7 +44,7 @@ def go(monitor: Monitor, *arguments: str) -> None:
     if arguments and arguments[0] != "until":
         address = monitor.address(arguments[0])
         arguments = arguments[1:]
-    goal = _goal(arguments)
+    goal = goal_of(arguments)
     monitor.operator.press("stop")
     if address is not None:
         monitor.machine.pc = address
@@ -53,7 +53,7 @@ def go(monitor: Monitor, *arguments: str) -> None:
 
 def cont(monitor: Monitor, *arguments: str) -> None:
     """CONT: go on, for SECONDS or until a text is printed."""
-    goal = _goal(arguments)
+    goal = goal_of(arguments)
     if monitor.machine.panel.lamps.run:
         _pursue(monitor, goal)
     else:
@@ -63,14 +63,14 @@ def cont(monitor: Monitor, *arguments: str) -> None:
 def run(monitor: Monitor, *arguments: str) -> None:
     """Go on without a key being pressed, for SECONDS or until a text is printed; from a halt START, at A."""
     if monitor.machine.panel.lamps.run or arguments[:1] == ("until",):
-        _pursue(monitor, _goal(arguments))
+        _pursue(monitor, goal_of(arguments))
     else:
         go(monitor, *arguments)
 
 
 def until(monitor: Monitor, *arguments: str) -> None:
     """Go on until TEXT, or BEL, is printed from now on, N times if given; fail after SECONDS (60)."""
-    _pursue(monitor, _goal(("until", *arguments)))
+    _pursue(monitor, goal_of(("until", *arguments)))
 
 
 def expect(monitor: Monitor, *arguments: str) -> None:
@@ -82,7 +82,7 @@ def expect(monitor: Monitor, *arguments: str) -> None:
     _wait_for(monitor, Goal(seconds(rest[0]) if rest else _DEFAULT, text_of(text), 1))
 
 
-def _goal(arguments: Sequence[str]) -> Goal:
+def goal_of(arguments: Sequence[str]) -> Goal:
     """Return the goal of [SECONDS] or until TEXT [N times] [SECONDS]. Raises MonitorError."""
     if arguments[:1] != ("until",):
         some(arguments, "seconds, or until TEXT,", 0, 1)
@@ -209,7 +209,7 @@ def wait(monitor: Monitor, time: str) -> None:
 
 def assert_(monitor: Monitor, name: str, word: str) -> None:
     """Fail unless a register, or the word at an address, is so."""
-    wanted = monitor.address(word)
+    wanted = monitor.address(word) if register(name) in ("pc", "ma") else monitor.word(word)
     if is_register(monitor, name):
         found = value(monitor.machine, name)
     else:

@@ -12,6 +12,7 @@ A device that this machine lacks is an error; disabling it does nothing.
 import os
 import re
 from collections.abc import Sequence
+from contextlib import ExitStack
 from functools import partial
 
 from pal.assembling import assemble
@@ -85,19 +86,23 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
 
 def take_off(monitor: Monitor, kind: str = "") -> None:
     """Write what was punched into the file that was attached for it; all of them without a name."""
+    with ExitStack() as stack:  # each is written, though another cannot be
+        for each in reversed([name for name in monitor.punching if kind in ("", name)]):
+            stack.callback(_take_off, monitor, each, monitor.punching.pop(each))
+
+
+def _take_off(monitor: Monitor, kind: str, file: str) -> None:
     machine = monitor.machine
-    for each in [name for name in monitor.punching if kind in ("", name)]:
-        file = monitor.punching.pop(each)
-        fast = each == "ptp" and machine.highspeed.fitted
-        punch = (machine.highspeed if fast else machine.teletype).punch
-        printed = [device.frames for device in machine.devices if isinstance(device, LP08) and each == "lpt"]
-        if not (printed or [punch.frames])[0] and os.path.exists(file):
-            monitor.say(f"{file} stays as it is: nothing was {'printed' if printed else 'punched'}")
-        elif printed:
-            monitor.say(shelf.leave(file, bytes(printed[0]), "text"))
-            printed[0].clear()
-        else:
-            tapes.take_off(monitor, punch, file)
+    fast = kind == "ptp" and machine.highspeed.fitted
+    punch = (machine.highspeed if fast else machine.teletype).punch
+    printed = [device.frames for device in machine.devices if isinstance(device, LP08) and kind == "lpt"]
+    if not (printed or [punch.frames])[0] and os.path.exists(file):
+        monitor.say(f"{file} stays as it is: nothing was {'printed' if printed else 'punched'}")
+    elif printed:
+        monitor.say(shelf.leave(file, bytes(printed[0]), "text"))
+        printed[0].clear()
+    else:
+        tapes.take_off(monitor, punch, file)
 
 
 def leave(monitor: Monitor) -> None:
@@ -209,7 +214,7 @@ def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     words = _of_machine(monitor, (place, word, *more))
     if "-m" in (place, word):
         at = monitor.address(words[0])
-        made = assemble(f"*{at & 0o7777:o}\n{' '.join(words[1:])}\n$\n")
+        made = assemble(f"*{at & 0o7777:o}\n{' '.join(some(words[1:], 'an instruction'))}\n$\n")
         if not made.ok or len(made.words) != 1:
             raise MonitorError(f"{' '.join(words[1:])}: no instruction")
         words = [words[0], f"{made.words[at & 0o7777]:o}"]

@@ -27,14 +27,16 @@ def load(monitor: Monitor, name: str, *force: str) -> None:
 
 
 def boot(monitor: Monitor, name: str, *force: str) -> None:
-    """Load a program from cold as an operator does; with force, whatever its checksum. `boot ptr` reads what
-    is in the reader by RIM.
-    """
-    if name.lower() in ("ptr", "tti"):
-        from pdp8.monitor.running import go
+    """Load a program from cold as an operator does; or let RIM read what is in a reader."""
+    device = name.lower().rstrip("0")
+    if device in ("ptr", "tti"):
+        from pdp8.monitor.running import go, goal_of
 
-        rim(monitor)
-        go(monitor, f"{monitor.machine.panel.inst_field << 12 | operator.RIM_START:o}")
+        goal_of(force)
+        monitor.machine.panel.mem_prot = monitor.machine.panel.sing_step = False
+        fast = device == "ptr" and monitor.machine.highspeed.fitted
+        _toggle(monitor, operator.RIM_HIGH_SPEED if fast else operator.RIM)
+        go(monitor, f"{monitor.machine.panel.inst_field << 12 | operator.RIM_START:o}", *force)
         return
     forced = _forced(force)
     found = _program(monitor, name, True)
@@ -77,9 +79,18 @@ def listing(monitor: Monitor, name: str) -> None:
 
 def rim(monitor: Monitor) -> None:
     """Toggle in the RIM loader."""
-    at = monitor.machine.panel.inst_field << 12 | operator.RIM_START
-    keys = sum(1 for _ in monitor.operator.toggle(operator.RIM_START, operator.RIM))
-    monitor.say(f"RIM loader in {at:04o}-{at + len(operator.RIM) - 1:o}, {keys} keys")
+    _toggle(monitor, operator.RIM)
+
+
+def _toggle(monitor: Monitor, loader: Sequence[int]) -> None:
+    """Toggle in a RIM loader. Raises MonitorError where the panel does not take it."""
+    panel = monitor.machine.panel
+    at = panel.inst_field << 12 | operator.RIM_START
+    monitor.operator.press("stop")
+    keys = sum(1 for _ in monitor.operator.toggle(operator.RIM_START, loader))
+    if panel.lamps.protect:
+        raise MonitorError(f"MEM PROT is up: {at:04o} holds {monitor.machine.core[at]:04o}; set mem_prot 0")
+    monitor.say(f"RIM loader in {at:04o}-{at + len(loader) - 1:o}, {keys} keys")
 
 
 def reader(monitor: Monitor, first: str, *more: str) -> None:
@@ -87,8 +98,7 @@ def reader(monitor: Monitor, first: str, *more: str) -> None:
     names = [first, *more]
     teletype = monitor.machine.teletype
     if names in (["start"], ["stop"]):
-        if teletype.reader.on != (names == ["start"]):
-            monitor.operator.throw_lever()
+        monitor.operator.throw_lever(names == ["start"])
         return
     if names == ["none"]:
         monitor.waiting_tapes = []

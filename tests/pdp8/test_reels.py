@@ -59,6 +59,7 @@ def monitor() -> Monitor:
     """Return a monitor with a reel on drive 0, of which a block was written."""
     said: list[str] = []
     made = Monitor(said.append)
+    do(made, "save bare.state")
     do(made, f"attach dt0 {file(Path('reel.tu56'))}")
     control = made.machine.devices[-1]
     assert isinstance(control, TC08)
@@ -130,6 +131,7 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
         do(monitor, f"detach {device}")
         do(monitor, f"attach {device} {name}")
         assert monitor.reels.places[device].changed() == 0
+    do(monitor, "restore bare.state")
     assert (reel.drive.read(5, 7), discs.control.words[9]) == (2, 2)
 
 
@@ -141,6 +143,8 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
         ("detach dt0 forget", "attach dt0 saved.tu56"),
         ("detach dt0 forget", "attach dt1 reel.tu56"),
         ("save then.state", "detach dt0 forget", "attach dt0 reel.tu56", "restore then.state"),
+        ("restore bare.state",),
+        ("save then.state", "detach dt0 forget", "attach dt1 reel.tu56", "restore then.state"),
     ],
 )
 def test_a_reel_that_is_on_its_drive_again_has_its_file_and_is_not_lost(
@@ -168,13 +172,17 @@ def test_what_nobody_saved_is_left_beside(monitor: Monitor, full: int, place: st
     assert dectape.decode(Path(place).read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
 
 
-def test_a_reel_is_left_beside_its_file_where_a_punched_tape_cannot_be_written(monitor: Monitor) -> None:
+def test_a_reel_is_left_beside_its_file_and_a_page_where_a_punched_tape_cannot_be_written(
+    monitor: Monitor,
+) -> None:
+    do(monitor, "attach lpt paper")
     do(monitor, "attach ptp out")
     monitor.machine.teletype.punch.frames += b"Y"
     Path("out").mkdir()
     with pytest.raises(WorkError, match="out"):
         simh.leave(monitor)
     assert Path("reel-changed.tu56").exists()
+    assert Path("paper").exists()
 
 
 def test_an_image_is_no_program(call: Call) -> None:

@@ -8,7 +8,8 @@
 the books say, CONT for each further section of a tape, STOP when RIM's tape has run through.
 
 INITIALIZE sets READER RUN: a tape put in with the lever at START would move at once, and START would drop the
-frame on its way. So a tape goes in with the lever at STOP, and START or CONT throws the lever too.
+frame on its way. So a tape goes in with the lever at STOP, and START or CONT throws the lever too, unless a
+hand has put it there.
 
 Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handbook 1970, "Loading programs".
 """
@@ -16,7 +17,7 @@ Sources: PDP-8/I instruction card (the RIM loader's words); Small Computer Handb
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from pdp8.computer.hardware.signals import FRAME, TICKS_PER_SECOND
+from pdp8.computer.hardware.signals import FRAME, NEVER, TICKS_PER_SECOND
 from pdp8.computer.machine import LoadError, Machine
 from pdp8.computer.stop import Reason, Stop
 from tapes import binary, codes, rim
@@ -55,6 +56,7 @@ class Pace(NamedTuple):
 
 
 IN_NO_TIME = Pace()
+DEAD = "the machine runs: all keys but STOP are dead"
 
 
 class Action(NamedTuple):
@@ -105,8 +107,15 @@ class Operator:
         self.reader = machine.teletype.reader
         self.pace = pace
         self.note = note
-        self.lever_waits = False
-        """Whether the reader's lever, at STOP, is to be thrown with START or CONT."""
+        self._thrown = NEVER
+        """The tick at which the lever was put to STOP by hand, if it was."""
+
+    @property
+    def lever_waits(self) -> bool:
+        """Whether START or CONT throws the lever: it is at STOP, and the tape has not moved yet."""
+        reader = self.reader
+        fresh = reader.loaded and not reader.on and reader.position == 0
+        return fresh and self.machine.processor.clock < self._thrown
 
     def wait(self, seconds: float) -> None:
         """Let time pass while the machine is stopped."""
@@ -145,14 +154,14 @@ class Operator:
         self.wait(self.pace.mounting)
         if self.reader.on and not self.panel.lamps.run:
             self.reader.lever(False)
-            self.lever_waits = True
+            self._thrown = NEVER
         self.reader.load(tape[codes.start(tape) :])
         self._note("mount", name, f"{name} goes into the reader.")
 
-    def throw_lever(self) -> None:
-        """Put the reader's lever to START or STOP."""
-        self.reader.lever(not self.reader.on)
-        self.lever_waits = False
+    def throw_lever(self, on: bool | None = None) -> None:
+        """Put the reader's lever to START or STOP, by default to the other one."""
+        self.reader.lever(not self.reader.on if on is None else on)
+        self._thrown = NEVER if self.reader.on else self.machine.processor.clock
         self._note("lever", None, f"The reader's lever to {'START' if self.reader.on else 'STOP'}.")
 
     def press(self, key: str) -> None:
@@ -161,7 +170,7 @@ class Operator:
             self.wait(self.pace.pressing)
         getattr(self.panel, key)()
         if key in ("start", "cont"):
-            self._throw_what_waits()
+            self.throw_what_waits()
 
     def start(self, address: int, switches: int | None = None, seconds: float | None = None) -> Stop:
         """Set `switches`, start at `address`, run until it halts or needs a tape, at most for `seconds`."""
@@ -176,14 +185,13 @@ class Operator:
         self.wait(self.pace.pressing)
         self._note("start", None, f"START at {address:04o}.")
         self.panel.start()
-        self._throw_what_waits()
+        self.throw_what_waits()
 
-    def _throw_what_waits(self) -> None:
-        """Throw a waiting lever; if time ran back to where it was at START, it stays there."""
-        if self.lever_waits and not self.reader.on:
+    def throw_what_waits(self) -> None:
+        """Throw a waiting lever."""
+        if self.lever_waits:
             self._run_on(self.pace.lever)
             self.throw_lever()
-        self.lever_waits = False
 
     def go_on(self, seconds: float | None = None) -> Stop:
         """Press CONT and run as `start` does."""
@@ -204,6 +212,7 @@ class Operator:
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
         self.panel.inst_field = self.panel.data_field = 0
+        self._thrown = NEVER
         yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
         yield self.read_rim(loader, "BIN loader")
         if codes.recognise(program) is codes.RIM:

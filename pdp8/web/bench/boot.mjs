@@ -14,7 +14,6 @@ export function restored(/** @type {string} */ state, media = /** @type {Image[]
 /** The machine after it, and what was read. Throws where a loader ends as it should not. */
 export function booted(/** @type {string} */ state, /** @type {string} */ loader, /** @type {Iterable<number>} */ tape, /** @type {string} */ name) {
   const machine = restored(state);
-  machine.teletype.reader.lever(true);
   const steps = [...new Operator(machine).boot(loader.encode("latin-1"), bytes(tape), name)];
   return { state: save(machine), said: String(steps.at(-1)) };
 }

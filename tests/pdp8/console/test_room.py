@@ -21,9 +21,11 @@ from pdp8 import shelf
 from pdp8.computer.use.operator import RIM_START
 from pdp8.console import lamps
 from pdp8.console.app import Room
+from pdp8.console.opening import opening
 from pdp8.console.pages import Card, Core, ListingPage, Page
 from pdp8.console.strips import ReaderStrip
 from pdp8.console.switches import LOCKING, Rocker
+from tapes import binary, rim
 from tests.conftest import assert_same_tape, case
 from tests.pdp8.console.pictures import assert_shows, scene, shown
 from tests.pdp8.console.test_session import RIM_WORDS
@@ -64,6 +66,25 @@ async def test_a_morning_by_keys_rim_bin_program_and_tape(room: Room, pilot: Pil
     assert room.session.said.startswith("the reader ran out of tape")
     eia = Path(__file__).parents[3] / "tapes" / "circle.eia"
     assert_same_tape(machine.teletype.punch.tape, eia.read_bytes())
+
+
+@pytest.mark.parametrize(
+    ("name", "label", "switches"),
+    [("x.pal", "x.bin", 7777), ("x.pa", "x.bin", 7777), ("x.bin", "x.bin", 7777), ("x.rim", "x.rim", 7756)],
+)
+def test_the_card_and_the_list_have_the_tapes_by_their_names(
+    name: str, label: str, switches: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    contents = {"x.bin": binary.encode({0o200: 1}), "x.rim": rim.encode({0o200: 1})}
+    (tmp_path / name).write_bytes(contents.get(name, b"*200\nHLT\n$\n"))
+    (tmp_path / "circle.asc").write_bytes(b"\x81")
+    session, programs = opening(name, "circle.asc")
+    assert (
+        Card(session, "card", programs[0], programs[-1]).steps[2].startswith(f"3 {label}: O, SR {switches} ")
+    )
+    assert [tape.name for tape in session.tapes] == ["bin.rim", label, "ellipse.asc", "circle.asc"]
+    assert session.tapes[-1].frames == session.machine.teletype.reader.tape == b"\x81"
 
 
 @scene(size=(80, 24))

@@ -50,6 +50,10 @@ def test_the_hands_press_a_key_every_tenth_of_a_second(session: Session) -> None
     session.advance(0.1)
     assert session.said == "the RIM loader is in core"
     assert session.machine.elapsed == 0
+    session.machine.panel.mem_prot = True
+    session.toggle_rim()
+    session.advance(5)
+    assert session.said == "MEM PROT is up: RIM did not go in"
 
 
 def test_the_hands_find_the_keys_dead_while_run_is_on(session: Session) -> None:
@@ -61,9 +65,10 @@ def test_the_hands_find_the_keys_dead_while_run_is_on(session: Session) -> None:
     assert session.machine.core[0o7756] == 0
 
 
-def test_stop_stops_the_hands(session: Session) -> None:
+@pytest.mark.parametrize("key", ["load_add", "exam", "dep", "start", "cont", "stop"])
+def test_a_key_stops_the_hands(key: str, session: Session) -> None:
     session.toggle_rim()
-    session.press("stop")
+    session.press(key)
     session.advance(5)
     assert not any(session.machine.core)
 

@@ -5,9 +5,10 @@ from typing import Any
 
 import pytest
 
+from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
-from pdp8.computer.hardware.teletype import printed
+from pdp8.computer.hardware.teletype import Teletype, printed
 from pdp8.computer.machine import Machine
 from pdp8.monitor import commands, rack
 from pdp8.monitor.arguments import MonitorError
@@ -230,14 +231,18 @@ def test_no_field_is_left_that_is_taken_out(monitor: Monitor) -> None:
     assert {getattr(monitor.machine.processor.extension, name) for name in fields} == {0o10000}
 
 
-def test_a_loader_is_where_it_is_said_to_be(monitor: Monitor, said: list[str]) -> None:
-    """Whatever the field switches are: `boot` sets them, RIM goes by them."""
+@pytest.mark.parametrize("devices", [[Teletype()], one_of_each()])
+def test_a_loader_is_where_it_is_said_to_be(devices: list[Peripheral], said: list[str]) -> None:
+    """Whatever runs, and wherever lever and switches are: `boot` sets them, RIM goes by the fields."""
+    monitor = Monitor(said.append, Machine(devices))
     Path("rim").write_bytes(rim.encode({0o200: 0o7402}))
-    fields = "set inst_field 1", "set data_field 1"
-    do(monitor, "set cpu 8k", *fields, "boot hello.pal", "assert 205 7402")
+    so = "deposit 0 5000", "go 0 .1", "set mem_prot 1", "set inst_field 1", "set data_field 1", "reader stop"
+    do(monitor, "set cpu 8k", *so, "boot hello.pal", "assert 205 7402")
     assert all("not in core" not in line for line in said)
-    do(monitor, *fields, "reader rim", "boot ptr", "assert 10200 7402")
+    do(monitor, *so, "reader start", "attach ptr rim", "boot ptr0", "assert 10200 7402")
     assert "RIM loader in 17756-17776, 18 keys" in said
+    with pytest.raises(MonitorError, match="MEM PROT is up: 7756 holds 0000"):
+        do(monitor, *so, "deposit 7756 0", "set inst_field 0", "rim")
 
 
 def test_what_is_shown_and_expected_is_what_is_new() -> None:

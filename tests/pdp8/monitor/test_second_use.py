@@ -59,6 +59,23 @@ def said(before: list[str]) -> tuple[list[str], str]:
     return lines, state.save(made.machine)
 
 
+@pytest.mark.parametrize(
+    ("between", "frames"),
+    [
+        ("save s|restore s", 5), ("set cpu 8k", 5), ("step 2|go 200 .00001|back 4", 5),
+        ("reader stop", 0), ("reader start|reader stop", 0),
+    ],
+)  # fmt: skip
+def test_start_throws_the_lever_for_a_tape_unless_a_hand_put_it_to_stop(
+    between: str, frames: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "in.asc").write_bytes(b"\xb1\xb2\x8d\x8a\xb1")
+    made = Monitor(lambda line: None)
+    do(made, "load eia.pal", "set pc 200", "reader in.asc", *between.split("|"), "go 200 1")
+    assert made.machine.teletype.reader.position == frames
+
+
 @pytest.mark.parametrize("before", BEFORE)
 def test_what_was_done_before_is_forgotten(
     before: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

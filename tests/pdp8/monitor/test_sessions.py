@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from pdp8.monitor.commands import COMMANDS
 from pdp8.monitor.prompt import Monitor
 from tapes.errors import WorkError
 from tests.conftest import Call
@@ -36,6 +37,14 @@ def test_a_session_and_its_answers(session: Path, monitor: Monitor, said: list[s
                 said.append(f"? {error}")
     assert "\n".join(said).split("\n") == lines
     assert monitor.finished == (lines[-1] in ("* exit", "* quit"))
+
+
+def test_help_has_each_command_beside_its_words(monitor: Monitor, said: list[str]) -> None:
+    do(monitor, "help")
+    *lines, _ = said
+    assert [line.partition(" ")[0] for line in lines if line[0] != " "] == list(COMMANDS)
+    assert all(line[:28].isspace() and line[28] != " " for line in lines if line[0] == " ")
+    assert max(map(len, lines)) <= 79
 
 
 def test_what_fails_ends_a_script_with_status_1(call: Call, tmp_path: Path) -> None:
