@@ -158,6 +158,9 @@ class _Bin(Words):
         return WHOLE if held else 0.95 * WHOLE
 
     def _between(self, frames: bytes) -> list[str]:
+        def last(at: int) -> bool:  # before a trailer
+            return frames[at : at + 1] == bytes([LEADER])
+
         said: list[str] = []
         address: int | None = None
         at = 0
@@ -170,15 +173,13 @@ class _Bin(Words):
             elif frame == BLANK and (at == 0 or frames[at - 1] == LEADER):  # blank tape is no word
                 end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
-            elif frame < LEADER and end < len(frames) and frames[end] < LEADER:
-                value = ((frame & 0o77) << 6) + frames[end]
+            elif frame < LEADER and end < len(frames) and frames[end] < 0o100 << last(end + 1):
+                value = ((frame & 0o77) << 6) + frames[end] & 0o7777
                 end += 1
                 if frame >> 6 and frames[end - 1] < 0o100:
                     caption, address = f"origin {value:04o}", value
-                elif address is None or frames[end : end + 1] == bytes([LEADER]):
-                    caption, address = f"checksum {value & 0o7777:04o}", None
-                elif frames[end - 1] > 0o77:
-                    caption = "?"
+                elif address is None or last(end):
+                    caption, address = f"checksum {value:04o}", None
                 else:
                     caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777
                 said += [caption, '"']

@@ -112,6 +112,12 @@ def _read_from(frames: bytes, start: int) -> Reading:
             letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
             if letters and not words:
                 labels.append(letters)
+            trailer = words and after - at >= len(LEAST_LEADER)
+            at = skip(frames, after, BLANK)
+            apart = binary.find_apart(frames, (range(at, len(frames)),)) if trailer else None
+            if apart is not None and apart <= at:
+                gaps.append(f"a good BIN section from frame {apart} on: a tape of its own, left out")
+                break
             at = after
             continue
         data = _passed_over(frames, at + 2)
@@ -122,12 +128,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
             continue
         after = skip(frames, at, BLANK)
         if words and _after_trailer(frames, at):
-            rest = range(after, len(frames))
-            apart = binary.find_apart(frames, (rest,)) if rest else None
-            if apart is None or apart > after:
-                labels += [rest] * (len(rest) > 0)
-            else:
-                gaps.append(f"a good BIN section from frame {apart} on: a tape of its own, left out")
+            labels += [range(after, len(frames))] * (after < len(frames))
             break
         if words and frames[-1] != LEADER and not frames[end:-1].strip(_AT_THE_END):
             break  # torn: a last frame of anything; a trailer has no blank tape before it
