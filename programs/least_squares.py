@@ -39,8 +39,7 @@ def fit(points: Points, degree: int) -> Fit:
 
 
 def _expression(coefficients: list[float]) -> str:
-    """Return the polynomial, highest power first, to twelve digits; in front no -, which begins an option."""
+    """Return the polynomial, highest power first, to twelve digits."""
     powers = ["", "*x", *(f"*x**{power}" for power in range(2, len(coefficients)))]
     terms = [f"{c:+.12g}{p}" for c, p in zip(coefficients, powers, strict=False) if c or p == ""]
-    found = "".join(reversed(terms)).removeprefix("+")
-    return f"0{found}" if found.startswith("-") else found
+    return "".join(reversed(terms)).removeprefix("+")
