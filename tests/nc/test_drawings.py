@@ -162,6 +162,8 @@ def test_a_talyrond_names_each_wall_and_place_that_is_measured(beside: float) ->
     said, places = words(talyrond(found)), [name for name, *_ in _PLACES]
     assert [word for word in said if word.endswith(" wall")] == [f"{wall} wall" for wall in measured.by_name]
     assert [word for word in said if word in places] == places
+    uncut = replace(measured, inner=np.full(360, np.nan), part_wall="")
+    assert "no inner wall" in words(talysurf(replace(found, walls=uncut)))
 
 
 @pytest.mark.slow("measures some parts")

@@ -81,6 +81,8 @@ def test_pages_have_the_whole_tape_and_a_ruler() -> None:
     assert max(drawn) < paper.area("a4")[1] * 96 < sum(drawn[:2])
     rulers = [each.text for each in page.iter() if "100 mm" in (each.text or "")]
     assert rulers == [f"100 mm: print at 100 %; page {number} of 3" for number in (1, 2, 3)]
+    placed = [float(each.attrib["y"]) * 25.4 / 96 // 297 for each in page if "y" in each.attrib]
+    assert placed == [0, 0, 1, 1, 2, 2]
 
 
 @pytest.mark.parametrize("paper", ["a4", "letter"])

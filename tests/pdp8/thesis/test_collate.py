@@ -122,8 +122,8 @@ def test_a_line_is_found_on_a_page_and_only_about_where_lines_are_missing(
     pages = pytest.importorskip("pdp8.thesis.pages", reason="OpenCV is not installed", exc_type=ImportError)
     page = facsimile("B").split("\f")[1].replace("[", "").replace("]", "").splitlines()
     lines = [line for line in page if line.strip()][lost:]
-    drawn(lines, tmp_path / "page-106.png")
-    place = pages.find(KNOWN["0340"], (tmp_path / "page-106.png").read_bytes())
+    drawn(lines, tmp_path / "page-0106.png")
+    place = pages.find(KNOWN["0340"], (tmp_path / "page-0106.png").read_bytes())
     (row,) = [at for at, line in enumerate(lines) if line.startswith("Ø34Ø")]
     assert place
     top, last, sure = place
@@ -133,7 +133,7 @@ def test_a_line_is_found_on_a_page_and_only_about_where_lines_are_missing(
     status, out, _ = call(f"pdp8 thesis collate --pages {tmp_path}")
     assert status == 0
     about = "" if sure else "by its number among the lines, about "
-    assert f"line 0340; page-106.png: {about}rows {top} to {last}" in str(out)
+    assert f"line 0340; page-0106.png: {about}rows {top} to {last}" in str(out)
 
 
 def test_a_folder_without_a_page_is_refused(call: Call, tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ from programs import fluidic
 from programs.die import AXES
 from tapes import eia
 from tapes.quantities import inches
+from tapes.text import lines_of
 from tests.pictures import pixels
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -84,6 +85,10 @@ def test_the_page_shows_every_item_and_needs_nothing_else(everything: dict[str, 
     pictures = re.findall(r'<img src="data:image/svg\+xml;base64,[^"]+" alt="[^"]+">', text)
     assert len(pictures) == text.count("<img") == len(DRAWN)
     assert not re.search("<(?:script|link)|{{", text)
+    written = [made.text for made in everything.values() if not (made.is_drawn or made.table)]
+    shown = re.findall(r"<pre[^>]*>(.*?)</pre>(?:<p>(\d+) more)?", text, re.DOTALL)
+    lines = [each.count("\n") + 1 + int(more or 0) for each, more in shown]
+    assert lines == [len(lines_of(each)) - 3 for each in written]
 
 
 @pytest.mark.parametrize(
