@@ -54,6 +54,15 @@ def test_what_is_written_into_a_folder_or_a_device_is_said(call: Call) -> None:
     assert "wrote rim.svg in cards; 1 replaced\n" in call("pdp8 cards rim -o cards")[2]
 
 
+@pytest.mark.parametrize(
+    "output", ["--punch", "--fast-punch", "--printer", "--trace", "--annotate", "--save"]
+)
+def test_what_could_not_be_written_is_not_named_as_written(output: str, call: Call) -> None:
+    Path("x.pal").write_text("*200\nCLA CMA\nTLS\n6026\n6664\nHLT\n$\n")
+    status, _, said = call(f"pdp8 run x.pal {output} /dev/full")
+    assert (status, said.count("/dev/full"), "No space left" in said) == (1, 1, True), said
+
+
 def test_nothing_is_made_in_a_locked_folder(call: Call, tmp_path: Path) -> None:
     (tmp_path / "locked").mkdir(mode=0o555)
     status, _, said = call("pdp8 cards rim -o locked/sub/cards")

@@ -1,6 +1,7 @@
 """The operator's time, without a terminal: hands, paces, lamps, tapes."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import count
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.use.operator import RIM
 from pdp8.console.opening import opening
 from pdp8.console.session import Session, Tape
+from pdp8.monitor import debugging
 from tests.pdp8.computer.bench import core
 
 RIM_WORDS = dict(enumerate(RIM, 0o7756))
@@ -63,14 +65,6 @@ def test_the_hands_find_the_keys_dead_while_run_is_on(session: Session) -> None:
     assert session.said == "the machine runs: press STOP first"
     session.advance(0.2)
     assert session.machine.core[0o7756] == 0
-
-
-@pytest.mark.parametrize("key", ["load_add", "exam", "dep", "start", "cont", "stop"])
-def test_a_key_stops_the_hands(key: str, session: Session) -> None:
-    session.toggle_rim()
-    session.press(key)
-    session.advance(5)
-    assert not any(session.machine.core)
 
 
 @pytest.mark.parametrize("speed", [1, 10, 100, 1000])
@@ -171,7 +165,7 @@ def test_a_halt_is_said_where_a_wait_was() -> None:
     ("words", "said"),
     [
         ("7402", "HLT at 0200"),
-        ("6031 5200", "the program waits for a key at 0200"),
+        ("6031 5200 6032 5200", "the program waits for a key at 0200"),
         ("6031 5200 6036 5200", "the reader ran out of tape, and the program waits for it at 0200"),
         ("5200", "an endless loop at 0200"),
     ],
@@ -184,8 +178,10 @@ def test_what_became_of_a_program_is_said_each_time_that_it_is_started(words: st
     for _ in range(3):
         load_address(session, 0o200)
         session.press("start")
-        session.advance(1)
-        assert session.said.startswith(said)
+        for _ in range(2):
+            session.advance(1)
+            assert session.said.startswith(said)
+            session.machine.teletype.keyboard.press(b"A")
         session.press("stop")
 
 
@@ -200,7 +196,7 @@ def test_mem_prot_is_said(session: Session) -> None:
 @pytest.mark.parametrize(
     "act",
     [
-        lambda one: one.press("stop"),
+        *(partial(Session.press, key=key) for key in debugging.KEYS),
         lambda one: one.back(),
         lambda one: one.back(1),
         lambda one: one.clear([]),

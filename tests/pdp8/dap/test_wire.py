@@ -18,6 +18,7 @@ from pdp8.dap.debuggee import Debuggee, Halt
 from pdp8.dap.launch import Launch
 from pdp8.dap.session import Session
 from pdp8.dap.wire import Wire
+from tapes import binary
 from tests.commands import run
 from tests.pdp8.dap.test_dap import NPM
 
@@ -298,13 +299,15 @@ def test_every_request_is_answered(tmp_path: Path) -> None:
     ("lines", "columns"), [({}, {}), ({"linesStartAt1": True}, {"columnsStartAt1": False}),
                            ({"linesStartAt1": False}, {"columnsStartAt1": True})]
 )  # fmt: skip
+@pytest.mark.parametrize("tape", [False, True])
 def test_lines_and_columns_begin_at_1_unless_an_editor_says_0(
-    lines: dict[str, Any], columns: dict[str, Any], tmp_path: Path
+    tape: bool, lines: dict[str, Any], columns: dict[str, Any], tmp_path: Path
 ) -> None:
     line, column = 2 - (False in lines.values()), 1 - (False in columns.values())
-    (tmp_path / "own.pal").write_text("*200\n\tCLA\n\tHLT\n$\n")
-    source = {"path": str(tmp_path / "own.pal")}
-    launch = ("launch", {"program": source["path"], "stopOnEntry": True})
+    own = tmp_path / "own"
+    own.write_bytes(binary.encode({0o200: 0o7200, 0o201: 0o7402}) if tape else b"*200\n\tCLA\n\tHLT\n$\n")
+    source = {"sourceReference": 1} if tape else {"path": str(own)}
+    launch = ("launch", {"program": str(own), "stopOnEntry": True})
     points = ("setBreakpoints", {"source": source, "breakpoints": [{"line": line}]})
     asked = ("stackTrace", {"threadId": 1}), ("completions", {"text": "detail", "column": 3 + column})
     *_, placed, frames, found = held(("initialize", lines | columns), launch, points, *asked)

@@ -61,9 +61,9 @@ def test_what_ctrl_c_sets_is_the_stop_key_once() -> None:
 
 def test_all_points_of_all_fields_are_forgotten_and_those_of_a_field_that_is_taken_out() -> None:
     said: list[str] = []
-    points = "set cpu 8k", "break 10200 300", "watch 10300"
+    points = "set cpu 8k", "break 10000 7777", "watch 10300"
     do(Monitor(said.append), *points, "forget", "break", "watch", *points, "set cpu 4k", "break", "watch")
-    assert said == ["none", "none", "not watched any more, beyond 7777: 10200, 10300", "0300", "none"]
+    assert said == ["none", "none", "not watched any more, beyond 7777: 10000, 10300", "7777", "none"]
 
 
 def test_a_traced_step_is_the_last_after_ctrl_c_and_the_last_line_of_a_script() -> None:
@@ -254,8 +254,9 @@ def test_what_is_shown_and_expected_is_what_is_new() -> None:
     assert said == ["XAXB", "", ""]
     with pytest.raises(MonitorError, match="'XA' was not printed"):
         do(monitor, "expect XA --from-start")
+    with pytest.raises(MonitorError, match="'XB' was not printed"):
+        do(monitor, "go 200 0", "expect XB 0")
     do(monitor, "expect XB --from-start")
-    do(monitor, "go 200 0")
     monitor.machine.teletype.printer.frames.extend(b"C")
     do(monitor, "page more")
     do(monitor, "back 0 seconds")

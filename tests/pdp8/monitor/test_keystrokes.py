@@ -24,6 +24,7 @@ DOT,	256
 $
 """
 LISTEN = "KSF; JMP .-1"
+INTERRUPTED = "ION; JMP ."
 LISTEN_AND_COUNT = "ISZ SEED; NOP; KSF; JMP .-3"
 DELAY = """	TAD HUNDRED
 	DCA COUNT
@@ -44,7 +45,7 @@ PRINT = """	TAD TEN
 def start(monitor: Monitor, wait: str, then: str = "") -> None:
     """Run a program that stores each key from 0300 on."""
     monitor.machine.load(pal.assemble(STORE.format(wait=wait, then=then)).words)
-    do(monitor, "go 200 0.1")
+    do(monitor, "deposit 1 5402 202", "go 200 0.1")
 
 
 def stored(monitor: Monitor) -> list[int]:
@@ -58,8 +59,15 @@ def frames(text: str) -> list[int]:
 
 @pytest.mark.parametrize(
     ("wait", "then"),
-    [(LISTEN, ""), (LISTEN, PRINT), (LISTEN, DELAY), (LISTEN_AND_COUNT, ""), (LISTEN_AND_COUNT, PRINT)],
-    ids=["at once", "printing", "slow", "counting", "counting and printing"],
+    [
+        (LISTEN, ""),
+        (LISTEN, PRINT),
+        (LISTEN, DELAY),
+        (INTERRUPTED, ""),
+        (LISTEN_AND_COUNT, ""),
+        (LISTEN_AND_COUNT, PRINT),
+    ],
+    ids=["at once", "printing", "slow", "interrupted", "counting", "counting and printing"],
 )
 def test_a_line_arrives_as_it_stands(monitor: Monitor, wait: str, then: str) -> None:
     start(monitor, wait, then)
