@@ -282,10 +282,3 @@ def test_the_keys_are_dead_and_sing_step_is_not_while_the_machine_runs(
         session.lock(switch)
         took.append(session.machine.processor.clock - before)
     assert (took[0], took[1] > 0) == (0, True)
-
-
-def test_a_tape_torn_off_takes_the_place_of_one_of_its_name(session: Session) -> None:
-    session.tapes = [Tape("a", b"1"), Tape("b", b"2")]
-    session.machine.teletype.punch.frames += b"3"
-    session.tear_off("a")
-    assert session.tapes == [Tape("b", b"2"), Tape("a", b"3")]
