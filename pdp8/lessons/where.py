@@ -97,6 +97,8 @@ def find(answer: Answer, whole: Trial, failed: Failed) -> Place:
 
 def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
     """Return what goes wrong, and after how many instructions."""
+    reason = failed.outcome.stop.reason
+    ends = "it ends" if reason is Reason.HALT else "it goes on" if reason is Reason.LIMIT else "it waits"
     for wrong in failed.failures:
         if isinstance(wrong.expected, bytes) or wrong.what == "the page":
             if seen.early != _NONE:
@@ -111,13 +113,14 @@ def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
                     f"{wrong.what} becomes {_text(wrong.got)}; {_text(wrong.expected)} is wanted",
                     seen.written,
                 )
-            return f"it ends, and nothing has written {wrong.what}", end
-        if wrong.what in ("AC", "L") and seen.changed != _NONE:
+            if seen.entered == _NONE:
+                return f"{ends}, and nothing has written {wrong.what}", end
+        elif wrong.what in ("AC", "L") and seen.changed != _NONE:
             return f"{wrong.what} becomes {_text(wrong.got)}; {_text(wrong.expected)} is wanted", seen.changed
     if seen.entered != _NONE:
         return "it comes to a loop that it does not leave", seen.entered
     wrong = failed.failures[0]
-    return f"it ends, {wrong.what}: {_text(wrong.got)}", end
+    return f"{ends}, {wrong.what}: {_text(wrong.got)}", end
 
 
 def _text(value: str | bytes) -> str:
