@@ -70,6 +70,11 @@ class _Seen:
         if p.lac != self._lac:
             self._lac, self.changed = p.lac, self._at
 
+    @property
+    def whole(self) -> bool:
+        """Whether all of the run was seen: what was last in it is known."""
+        return self._left > 0
+
     def waited(self, processor: Processor, instructions: int, ticks: int) -> None:
         """A waiting loop was skipped: the line may be free now."""
         self._sends = self._line.register != 0
@@ -106,7 +111,7 @@ def _says(failed: Failed, seen: _Seen, end: int) -> tuple[str, int]:
             number = diagnosis.first_difference(wrong.expected, wrong.got)
             if number < len(seen.sent) and number < len(wrong.got):
                 return f"character {number + 1} is sent, the first that is wrong", seen.sent[number]
-    for wrong in failed.failures:
+    for wrong in failed.failures if seen.whole else ():
         if wrong.what in failed.trial.core:
             if seen.written != _NONE:
                 return (

@@ -39,6 +39,7 @@ UNDER_WAY = "a character is sent while the one before is still under way"
         ("core={B=5}", "\tDCA B\n\tTAD A\n\tDCA B", 0o204, "B becomes 0301; 0005 is wanted"),
         ("core={B=5}", "", 0o202, "it ends, and nothing has written B"),
         ("core={B=5}", "\tKSF\n\tJMP .-1", 0o202, "it waits, and nothing has written B"),
+        ("core={B=5}\ndeposit={A=-92}", "\tISZ B\n\tJMP .-1\n\tISZ A\n\tJMP .-3", 0o206, "it ends, B: 0000"),
         ("ac=5", "\tIAC\n\tNOP", 0o202, "AC becomes 0302; 0005 is wanted"),
         ("link=1", "\tSTL\n\tCLL", 0o203, "L becomes 0; 1 is wanted"),
         ("", "\tJMP 300", 0o300, "it leaves the program, from 0202 to 0300"),
