@@ -24,6 +24,9 @@ _SHORT = {
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
 """After one of these, `expect` ignores what was printed before."""
 _IF = re.compile(r"(not\s+)?exist\s+(\"[^\"]*\"|\S+)\s+(.*)", re.IGNORECASE)
+_SWITCH = re.compile("-[a-zA-Z]+")
+_SWITCHED = ("examine", "deposit", "attach", "type", "echo", "if")
+"""Of other commands SIMH's switches are passed over."""
 _DEEPEST = 10
 """Scripts within scripts."""
 _NOT_HERE = """\
@@ -55,7 +58,10 @@ class Command(NamedTuple):
         _, *takes = signature(self.action).parameters.values()
         any_number = [each for each in takes if each.kind is each.VAR_POSITIONAL]
         needed = [each for each in takes if each.default is each.empty and each not in any_number]
-        return some(self.words_of(rest), self.expected, len(needed), None if any_number else len(takes))
+        words = self.words_of(rest)
+        while words and _SWITCH.fullmatch(words[0]) and self.name not in _SWITCHED:
+            words = words[1:]
+        return some(words, self.expected, len(needed), None if any_number else len(takes))
 
 
 def help_(monitor: Monitor, *names: str) -> None:
@@ -184,6 +190,7 @@ def find(word: str) -> Command:
     found = [each for name, each in COMMANDS.items() if name.startswith(word)]
     if word in _SHORT:
         return COMMANDS[_SHORT[word]]
+    found = found or [COMMANDS[_SHORT[each]] for each in _SHORT if each.startswith(word) and word[2:]]
     if len(found) == 1:
         return found[0]
     if found:

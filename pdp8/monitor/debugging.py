@@ -276,6 +276,8 @@ def _points(monitor: Monitor, points: set[int], places: Sequence[str]) -> None:
 def forget(monitor: Monitor, *places: str) -> None:
     """Forget breakpoints and watched words at addresses, or all."""
     points = monitor.machine.watch
+    if [each.lower() for each in places] == ["all"] and "ALL" not in monitor.listing.symbols:
+        places = ()
     given = {address for place in places for address in monitor.range(place)}
     gone = given if places else points.breakpoints | points.writes
     points.breakpoints -= gone

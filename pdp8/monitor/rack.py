@@ -11,7 +11,7 @@ from pdp8.computer.rack.lp08 import LP08
 from pdp8.computer.rack.pt08 import PT08
 from pdp8.computer.use import bootstrap
 from pdp8.monitor import running, tapes
-from pdp8.monitor.arguments import MonitorError, some
+from pdp8.monitor.arguments import MonitorError
 from pdp8.monitor.prompt import Monitor
 from tapes.quantities import counted
 
@@ -119,9 +119,6 @@ def boot(monitor: Monitor, name: str, *more: str) -> None:
     """Load a program from cold as an operator does; with force, whatever its checksum. ptr, what is in the
     reader, and dt0 or df run as `run` does.
     """
-    if name.startswith("-"):
-        name, *rest = some(more, "the name of a program")
-        more = tuple(rest)
     if what := absent(monitor, name):
         raise MonitorError(f"{name}: {what}")
     if _DEVICE.fullmatch(name):

@@ -20,13 +20,15 @@ from pdp8 import shelf
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.rack.lp08 import LP08
 from pdp8.monitor import debugging, rack, tapes
-from pdp8.monitor.arguments import MonitorError, some
+from pdp8.monitor.arguments import MonitorError, Quoted, some
 from pdp8.monitor.keystrokes import frames_of, press
 from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
 
 _HAS = ("tti", "tto", "ptr", "ptp")
 _SWITCH = re.compile("-[a-zA-Z]")
+_PACE = re.compile(r"((after|delay)=\d+,?)+", re.IGNORECASE)
+"""Instructions between keys at SIMH, where no program asks for them."""
 _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "noon")
 DEVICES = "ptr, ptp, dt0 to dt7, df, lpt"
 
@@ -70,6 +72,13 @@ def detach(monitor: Monitor, device: str, where: str = "") -> None:
     """Take the tape out of the reader (ptr), or off the punch into its file (ptp); dt0 to dt7 and df: save
     what is on them in FILE, or forget it.
     """
+    if device.lower() == "all":
+        if where not in ("", "forget"):
+            raise MonitorError(f"all: {where} can have one reel; detach each")
+        reels = (place.device for place in monitor.reels.mounted())
+        for each in [*monitor.punching, *reels, "tti", *["ptr"] * monitor.machine.highspeed.fitted]:
+            detach(monitor, each, where)
+        return
     kind = _device(monitor, device)
     if kind in ("dt", "df"):
         rack.detach(monitor, device, where)
@@ -115,6 +124,7 @@ def leave(monitor: Monitor) -> None:
 
 def send(monitor: Monitor, *texts: str) -> None:
     """Press keys as the program asks for them; with the machine stopped, once it runs."""
+    texts = tuple(text for text in texts if isinstance(text, Quoted) or not _PACE.fullmatch(text))
     frames = frames_of("".join(text_of(text) for text in some(texts, "a text")))
     if monitor.machine.panel.lamps.run:
         press(monitor, frames)
@@ -134,7 +144,10 @@ def reset(monitor: Monitor, *devices: str) -> None:
 
 
 def show(monitor: Monitor, *what: str) -> None:
-    """Say what is fitted."""
+    """Say what is fitted; with `break`, where a run stops."""
+    if what and "break".startswith(what[0].lower()):
+        debugging.break_(monitor)
+        return
     machine = monitor.machine
     fast = ", PC8/L reader and punch" if machine.highspeed.fitted else ""
     others = [each for each in machine.devices if each not in (machine.teletype, machine.highspeed)]
@@ -163,12 +176,13 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
     if name in ("throttle", "nothrottle"):
         monitor.realtime = name == "throttle"
     elif name == "cpu":
-        if value in MEMORY:
-            debugging.set_core(monitor, value)
-        elif value not in ("idle", "noidle", "noeae", ""):
-            raise MonitorError(
-                f"{value}: {', '.join(MEMORY)} are the sizes of core. There is no EAE; idle is always on"
-            )
+        for each in value.split(","):
+            if each in MEMORY:
+                debugging.set_core(monitor, each)
+            elif each not in ("idle", "noidle", "noeae", ""):
+                raise MonitorError(
+                    f"{each}: {', '.join(MEMORY)} are the sizes of core. There is no EAE; idle is always on"
+                )
     elif kind in rack.RACK and not value.isdecimal():
         if value.startswith("en"):
             rack.fit(monitor, kind)

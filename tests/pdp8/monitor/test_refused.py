@@ -62,7 +62,7 @@ REFUSED = {
         "ptr|rk0 x|ptr missing|ptp missing/x|lpt missing/x|lpt in.asc|dt0|dt8 reel.tu56|dt0 nowhere|"
         "dt0 in.asc|-r dt0|dt0 big.tu56"
     ),
-    "detach": "|ptp|rk0|dt0|dt9|dt0 out.tu56|dt0 forget",
+    "detach": "|ptp|rk0|dt0|dt9|dt0 out.tu56|dt0 forget|all out.tu56",
     "send": "|{",
     "do": "|missing|fails|leaps",
     "goto": "|NOWHERE",
@@ -105,7 +105,7 @@ WORKS = {
     "set": ("ac 7",),
     "deposit": ("200-203 7402",),
     "examine": ("200-203",),
-    "forget": ("",),
+    "forget": ("", "all"),
     "trace": ("on",),
     "count": ("on",),
     "page": ("more",),
