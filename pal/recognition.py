@@ -2,7 +2,7 @@
 
 PAL III if it has no error there; else PAL8 if it has none there. If it has errors in both, it is PAL8 if a
 line has something of PAL8's or small letters, and at most an undefined symbol wrong, and PAL8 has no more
-errors.
+errors, or PAL III went no further.
 
 A character that PAL III lacks shows at once that a source has errors there; then PAL8 is tried first.
 """
@@ -39,7 +39,8 @@ def found(
             return three
         eight = pal8()
     clean = eight.ok and not eight.is_empty()
-    if clean or (_is_pal8s(eight) and len(eight.errors) <= len(three.messages)):
+    fewer = three.stopped is not None or len(eight.errors) <= len(three.messages)
+    if clean or (_is_pal8s(eight) and fewer):
         return _as_pal8(eight)
     return three
 

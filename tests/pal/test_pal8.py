@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import pal
+from pal.assembler import TELETYPE_SYMBOLS
 from pal.assembly import Assembly
 from tapes import binary
 from tests.conftest import case
@@ -230,3 +231,10 @@ def test_zblock_makes_four_times_what_32k_of_core_has_and_no_more() -> None:
 def test_a_source_with_pal8s_words_is_pal8s_if_it_has_no_more_errors_there() -> None:
     for line, dialect in (("\tTAD 8", "pal8"), ("\tTAD 8\n\tTAD 9", "pal3")):
         assert pal.assemble(f"*200\n\tZBLOCK 2\n{line}\n$\n", dialect="auto").dialect == dialect
+
+
+def test_a_source_too_long_for_pal3s_table_is_pal8s_if_it_has_pal8s_words() -> None:
+    """TSS/8's FIP without its parameters: PAL III stops in pass 1 and has seen few of the errors."""
+    tags = "".join(f"A{number:o},\t0\n" for number in range(TELETYPE_SYMBOLS + 1))
+    for line, dialect in (("\tIFNZRO LATER <HLT>\n" + "\tTAD LATER\n" * 9, "pal8"), ("\tTAD LATER", "pal3")):
+        assert pal.assemble(f"*200\n{line}\n{tags}$\n", dialect="auto").dialect == dialect
