@@ -3,7 +3,9 @@
 import pytest
 
 from pdp8 import shelf
+from pdp8.computer.machine import Machine
 from pdp8.computer.use import program
+from pdp8.computer.use.operator import RIM, RIM_START, Operator
 from tapes import ascii, binary, codes, rim, title
 from tapes.errors import WorkError
 
@@ -25,6 +27,23 @@ def test_a_rim_tape_is_its_own_tape() -> None:
     assert found.tape == rim.encode(WORDS)
     assert found.listing.symbols == {}
     assert found.listing.line(0o200, 0o7001) == "0200  7001          IAC             /0200 7001"
+
+
+def test_a_rim_tape_that_changes_the_rim_loader_starts_itself() -> None:
+    """As EduSystem 20-C does by 7774; the RIM loader's own tape does not."""
+    for words, said in (
+        ({0o7600: 0o7402, 0o7774: 0o5200}, True),
+        ({0o7600: 0o7402, 0o7777: 0o5200}, False),
+        (shelf.bundled_program("rim.pal").words, False),
+    ):
+        frames = rim.encode(words)
+        assert any("starts itself" in note for note in program.read(frames, "x").notes) == said
+        machine = Machine()
+        boot = Operator(machine)
+        list(boot.toggle(RIM_START, RIM))
+        boot.mount("x", frames)
+        boot.start(RIM_START, seconds=20)
+        assert (machine.pc not in range(0o7756, 0o7777)) == said
 
 
 @pytest.mark.parametrize(
