@@ -39,7 +39,7 @@ from pdp8.computer.use.trace import Listing
 from pdp8.shelf import ShelfError
 from tapes import codes, rim
 from tapes.errors import called, naming
-from tapes.quantities import counted, duration, ranges
+from tapes.quantities import counted, duration
 
 if TYPE_CHECKING:
     from pdp8.reels import Reels
@@ -290,9 +290,8 @@ class _Run:
                 machine.load(found.words)
             if options.force or not options.quiet:
                 command.say_of(found.name, found.notes)
-            if options.start not in found.words and not options.quiet:
-                has = f"it has {ranges(found.words)}, and --start says where to begin"
-                command.say_of(found.name, [f"no word at {options.start:04o}, where it is started; {has}"])
+            if not options.quiet:
+                command.say_of(found.name, found.notes_on(options.start, "--start"))
         return machine
 
     def _restored(self, name: str, fitted: Sequence[Peripheral]) -> Machine:

@@ -45,6 +45,7 @@ def opening(
         machine.panel.inst_field = start >> 12
         machine.sr = start & 0o7777
         session.press("load_add")
-    if last.notes:
-        session.said = f"{last.name}: {'; '.join(last.notes)}"
+    notes = (*last.notes, *(last.notes_on(start, "--start") if program and not cold else ()))
+    if notes:
+        session.said = f"{last.name}: {'; '.join(notes)}"
     return session, [rim_loader, loader, last]

@@ -51,7 +51,8 @@ class Debuggee:
         self.said: list[str] = []
         """What the monitor has said since this was last emptied."""
         self.monitor, program = launch.ready(self.said.append)
-        self.said += [f"{program.name}: {note}" for note in program.notes]
+        notes = (*program.notes, *program.notes_on(self.monitor.machine.pc, "start of launch.json"))
+        self.said += [f"{program.name}: {note}" for note in notes]
         self.places = Places(program, *first)
         self._shown = 0
         self._punched = b""

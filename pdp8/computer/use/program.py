@@ -17,7 +17,7 @@ from tapes import ascii, binary, codes, dump, rim
 from tapes.code import Code
 from tapes.errors import TapeError, WorkError, called, naming
 from tapes.loaders import Words
-from tapes.quantities import counted
+from tapes.quantities import counted, ranges
 
 if TYPE_CHECKING:
     from pal import Assembly
@@ -57,6 +57,11 @@ class Program:
         self.words = words
         self.notes = notes
         self._source = source
+
+    def notes_on(self, start: int, option: str) -> tuple[str, ...]:
+        """What there is to say where it is started at `start`, which `option` says."""
+        has = f"it has {ranges(self.words)}, and {option} says where to begin"
+        return () if start in self.words else (f"no word at {start:04o}, where it is started; {has}",)
 
     @cached_property
     def tape(self) -> bytes:

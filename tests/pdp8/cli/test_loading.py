@@ -10,6 +10,8 @@ from pdp8 import shelf
 from pdp8.computer.hardware.core import Core
 from pdp8.computer.past import state
 from pdp8.console.opening import opening
+from pdp8.dap.breakpoints import Breakpoints
+from pdp8.dap.debuggee import Debuggee
 from pdp8.dap.launch import Launch
 from tapes import binary, rim
 from tests.conftest import Call, case
@@ -87,6 +89,13 @@ def in_the_machine(call: Call, tape: bytes, way: str) -> tuple[Core | list[int],
     status, said = loaded(call, tape, way)
     assert status == 0
     return state.restore(Path("x").read_text()).core, said
+
+
+def test_a_start_without_a_word_is_said_by_all_who_start_a_program(call: Call) -> None:
+    Path("x.bin").write_bytes(binary.encode({0o400: 0o7402}))
+    debuggee = Debuggee(Launch.of({"program": "x.bin"}), Breakpoints())
+    for said in (call("pdp8 run x.bin")[2], *debuggee.said, at_the_panel()[1]):
+        assert "x.bin: no word at 0200, where it is started; it has 0400, and " in said
 
 
 def test_every_way_takes_a_program_of_field_1_where_there_is_one(call: Call) -> None:
