@@ -8,7 +8,6 @@ import os
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from itertools import product
 
 from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
@@ -96,9 +95,21 @@ class Discs:
         self.control = DF32()
         self._kept = b""
         """What was on the discs when they were filled or saved."""
+        self._past: list[tuple[int, str, bytes]] = []
+        """Until which ticks file and content were others."""
+
+    def changes(self, clock: int) -> None:
+        """Note, before the discs are filled, emptied or saved at a tick, what they are."""
+        self._past.append((clock, self.file, self._kept))
+
+    def went_back(self, clock: int) -> None:
+        """Follow the machine, which has gone back to a tick."""
+        while self._past and self._past[-1][0] > clock:
+            _, self.file, self._kept = self._past.pop()
 
     def look_at(self, devices: Sequence[Peripheral]) -> None:
         """Use the DF32 among `devices` from now on."""
+        self._past.clear()
         found = next((each for each in devices if isinstance(each, DF32)), None)
         self.control = found or DF32()
         if not self.file:
@@ -138,7 +149,8 @@ class Reels:
 
     def __init__(self, devices: Sequence[Peripheral] = ()) -> None:
         files: dict[dectape.Image, str] = {}
-        places: list[Reel | Discs] = [*(Reel(unit, files) for unit in UNITS), Discs()]
+        self.discs = Discs()
+        places: list[Reel | Discs] = [*(Reel(unit, files) for unit in UNITS), self.discs]
         self.places = {place.device: place for place in places}
         self.look_at(devices)
 
@@ -157,9 +169,9 @@ class Reels:
         reels that are on none of their drives, with what was written on them, where the drive is empty.
         """
         drives = [(place, place.drive) for place in self.places.values() if isinstance(place, Reel)]
-        for place, control in product(self.places.values(), devices):
-            if isinstance(place, Discs) and isinstance(control, DF32):
-                control.content = place.control.content
+        for control in devices:
+            if isinstance(control, DF32):
+                control.content = self.discs.control.content
         yield
         mounted = self.images()
         for reel, was in drives:

@@ -107,6 +107,7 @@ class Monitor:
         frames = len(self.machine.teletype.printer.frames)
         self.expected, self.matched = min(self.expected, frames), min(self.matched, frames)
         self.shown = min(self.shown, frames)
+        self.reels.discs.went_back(self.machine.processor.clock)
         while self._waiting[-1][0] > self.machine.processor.clock:
             self._waiting.pop()
         for each in self.observers():

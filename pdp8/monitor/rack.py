@@ -73,6 +73,7 @@ def attach(monitor: Monitor, device: str, name: str, locked: bool = False) -> No
     if not fitted(monitor, kind):
         reels.Reels().mount(device, name)  # a file that is refused fits nothing
         fit(monitor, kind)
+    monitor.reels.discs.changes(monitor.machine.processor.clock)
     for note in monitor.reels.mount(device, name, locked):
         monitor.say(f"{name}: {note}")
     place = monitor.reels.places[device]
@@ -82,6 +83,7 @@ def attach(monitor: Monitor, device: str, name: str, locked: bool = False) -> No
 def detach(monitor: Monitor, device: str, where: str) -> None:
     """Take a DECtape off its drive, or empty the discs; save them in FILE, or forget what was written."""
     place = _mounted(monitor, device)
+    monitor.reels.discs.changes(monitor.machine.processor.clock)
     if where not in ("", "forget"):
         monitor.say(monitor.reels.save(place.device, where))
     elif not where:

@@ -164,6 +164,21 @@ def test_a_reel_that_is_on_its_drive_again_has_its_file_and_is_not_lost(
     assert dectape.decode(Path("reel-changed.tu56").read_bytes())[0].words[5 * dectape.WORDS + 7] == 0o1234
 
 
+@pytest.mark.parametrize("name", ["forget", "saved"])
+def test_discs_that_are_full_again_have_their_file_and_what_was_written_is_counted(name: str) -> None:
+    said: list[str] = []
+    made = Monitor(said.append)
+    for file_ in ("first", "second"):
+        Path(file_).write_bytes(bytes(65_536))
+    do(made, "attach df first")
+    made.reels.discs.control.words[9] = 1
+    for line in ("deposit 200 2010 5200 5200", "go 200 .01", f"detach df {name}", "attach df second"):
+        do(made, line)
+    for line in ("cont .01", "back .01 seconds", "show devices", "back .005 seconds", "show devices"):
+        do(made, line)
+    assert [line for line in said if line.startswith("df ")] == ["df   second", "df   first, 1 word written"]
+
+
 @pytest.mark.parametrize(("full", "place"), [(0, "reel-changed.tu56"), (1, "tmp/reel-changed.tu56")])
 def test_what_nobody_saved_is_left_beside(monitor: Monitor, full: int, place: str) -> None:
     Path("tmp").mkdir()
