@@ -154,6 +154,7 @@ class Options:
         "--annotate",
         "Write the listing with each word's count in its margin.",
         Target("text"),
+        needs="PROGRAM",
         excludes="--trace",
     )
     save: str | None = field("--save", "Write the machine's state as the run ends.", Target("JSON"))
