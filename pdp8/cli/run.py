@@ -450,7 +450,7 @@ class _Run:
                 command.say(said)
 
     def _save_paper(self) -> None:
-        """Save the printer's text."""
+        """Save the text that the printer has printed since the run began, or, undone, all of it."""
         if self.options.printer is None:
             return
         from pdp8.computer.rack.lp08 import LP08
@@ -458,7 +458,9 @@ class _Run:
         for device in self.machine.devices:
             with self._noting():
                 if isinstance(device, LP08):
-                    command.put(self.options.printer, device.paper)
+                    before = self.began["devices 66 frames"]
+                    new = len(before) * bytes(device.frames).startswith(before)
+                    command.put(self.options.printer, device.paper[new:])
 
     def _report(self, stop: _Ended) -> int:
         """Say how the run ended; return the exit status."""
@@ -508,7 +510,8 @@ class _Run:
         """Say how to get text from what was printed: a pipe receives frames, with channel 8."""
         if self.options.punch is not None or self.paged or not _piped():
             return
-        frames = self.machine.teletype.punch.tape
+        before = self.began["devices 04 punch frames"]
+        frames = self.machine.teletype.punch.tape[len(before) :]
         if codes.recognise(frames) is codes.ASCII and not frames.isascii():
             command.say("the frames have channel 8: `| pdp8 tape convert - --to text` makes text of them")
 

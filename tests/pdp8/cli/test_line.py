@@ -148,7 +148,10 @@ def halves(tmp_path: Path) -> None:
 
 def test_channel_8_is_explained_where_frames_go_down_a_pipe(shell: Shell, tmp_path: Path) -> None:
     (tmp_path / "plain.pal").write_text("*200\n\tLAS\n\tTLS\n\tTSF\n\tJMP .-1\n\tHLT\n$\n")
-    done = shell("pdp8 run hello.pal; pdp8 run hello.pal --punch x; pdp8 run plain.pal --sr 101")
+    done = shell(
+        "pdp8 run hello.pal --save s; pdp8 run hello.pal --punch x; pdp8 run plain.pal --sr 101; "
+        "pdp8 run --restore s --start 205"
+    )
     assert done.stderr.count(b"the frames have channel 8") == 1
 
 
