@@ -8,6 +8,7 @@
     bits        111011000000             a line of twelve bits for each word, from 0000 or from @080 on
     frames      102 / 000 / 073          the frames of a BIN tape, octal, one a line, often without a checksum
     intel-hex   :02010000C00E2F          Intel's records, two bytes a word, the low one first, as naken_asm's
+    mif         080 : ec0 2a8;           Altera's memory initialization file, in the radix that its head names
 
 A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
 and what is between `/*` and `*/`.
@@ -29,6 +30,7 @@ _REGISTERS = ("pc", "sr", "ac", "l", "link", "lac", "if", "df")
 _FEWEST = 8
 """Lines of bits or frames, or words without an address."""
 _ROW = 8
+_RADIXES: Final = {"bin": 2, "oct": 8, "dec": 10, "uns": 10, "hex": 16}
 _LAST: Final = 0o77777
 """The last address of 32K."""
 
@@ -229,6 +231,32 @@ def _read_intel_hex(lines: list[list[str]], words: dict[int, int]) -> int:
     return -1
 
 
+def _read_mif(lines: list[list[str]], words: dict[int, int]) -> int:
+    radix = {"address_radix": 16, "data_radix": 16}
+    begun = False
+    for line in lines:
+        text = " ".join(line).partition("--")[0].lower()
+        name, mark, value = (part.strip() for part in text.partition(":" if begun else "="))
+        if begun and mark:
+            first, many, last = (part.strip() for part in name.strip("[]").partition(".."))
+            base = radix["address_radix"]
+            address = _number(first, base, 1, 15)
+            data = [_number(each, radix["data_radix"], 1, 12) for each in value.split()]
+            end = _number(last, base, 1, 15) if many else address
+            _store(words, address, data * (min(end, _LAST + 1) - address + 1))
+        elif not begun and mark:
+            if name in radix:
+                radix[name] = _RADIXES.get(value, 0)
+            elif name not in ("width", "depth"):
+                raise ValueError
+        elif name not in ("", "content", "begin", "content begin", "end"):
+            raise ValueError
+        begun = begun or name.endswith("begin")
+    if not begun:
+        raise ValueError
+    return -1
+
+
 def _rows(words: Mapping[int, int]) -> list[list[int]]:
     """Return the addresses in rows of eight at most."""
     rows: list[list[int]] = []
@@ -275,6 +303,12 @@ def _intel_hex(words: Mapping[int, int]) -> list[str]:
     return [*records, ":00000001FF"]
 
 
+def _mif(words: Mapping[int, int]) -> list[str]:
+    head = ["WIDTH=12;", f"DEPTH={4096 * (max(words) // 4096 + 1)};", "ADDRESS_RADIX=OCT;", "DATA_RADIX=OCT;"]
+    rows = [f"{row[0]:04o} : " + " ".join(f"{words[each]:04o}" for each in row) + ";" for row in _rows(words)]
+    return [*head, "CONTENT BEGIN", *rows, "END;"]
+
+
 FORMATS: Final = {
     "octal-words": Format("octal addresses and words", _read_octal, _octal),
     "readmemh": Format("Verilog's $readmemh", _read_readmemh, _readmemh),
@@ -282,5 +316,6 @@ FORMATS: Final = {
     "deposits": Format("deposits of a SIMH script", _read_deposits, _deposits),
     "bits": Format("lines of twelve bits", _read_bits, _bits),
     "intel-hex": Format("Intel's hexadecimal records", _read_intel_hex, _intel_hex),
+    "mif": Format("Altera's memory initialization file", _read_mif, _mif),
     "octal-frames": Format("octal frames, one a line", _read_frames, _frames),
 }
