@@ -233,6 +233,8 @@ class _Run:
 
             Operator(self.machine).throw_what_waits()
         self.began = self.machine.values()
+        self.before = _moved(self.machine, self.feed.read) if "start" in explicit else [(0, 0), (0, 0)]
+        """The frames that were read and punched before START, with which time begins."""
         if self.paged or self.feed.left:
             PipedHistory(self.machine)
 
@@ -467,7 +469,7 @@ class _Run:
         options, machine, feed = self.options, self.machine, self.feed
         if stop is None and options.keyboard:
             return 0
-        counts = _counts(machine, feed.read)
+        counts = _counts(machine, _moved(machine, feed.read), self.before)
         if feed.left and not options.quiet:
             command.say(f"{feed.left} did not go into the reader: the program did not wait for it")
         if options.restore and not (options.reader or options.quiet):
@@ -563,14 +565,17 @@ def _by_device(reels: Sequence[tuple[str, str]], disk: str | None) -> dict[str, 
     return found
 
 
-def _counts(machine: Machine, read: int) -> str:
+def _moved(machine: Machine, read: int) -> list[tuple[int, int]]:
+    """Return how many frames were read and punched, and how many at high speed where that is fitted."""
+    fast = machine.highspeed
+    at_high_speed = [(fast.reader.position, len(fast.punch.frames))] * fast.fitted
+    return [(read, len(machine.teletype.punch.frames)), *at_high_speed]
+
+
+def _counts(machine: Machine, now: Sequence[tuple[int, int]], before: Sequence[tuple[int, int]]) -> str:
     """Say what was read and punched, and the time of 1971."""
-    parts = [(read, len(machine.teletype.punch.frames), "")]
-    if machine.highspeed.fitted:
-        fast = machine.highspeed
-        parts.append((fast.reader.position, len(fast.punch.frames), " at high speed"))
     said = "".join(
-        f"; {counted(read, 'frames')} read, {counted(punched, 'frames')} punched{how}"
-        for read, punched, how in parts
+        f"; {counted(read - r, 'frames')} read, {counted(punched - p, 'frames')} punched{how}"
+        for (read, punched), (r, p), how in zip(now, before, ("", " at high speed"), strict=False)
     )
     return f"{said}; {duration(machine.elapsed)} in 1971"
