@@ -111,9 +111,8 @@ class _Ascii(Characters):
         pieces = _parities(frames, ())
         rows = [("parity", said(pieces) if pieces else "mixed"), ("lines", held)]
         if returns or feeds:
-            ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT" + f", {pages:,} FF" * (
-                pages > 0
-            )
+            ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT"
+            ends += f", {pages:,} FF" * (pages > 0)
             rows.append(("line ends", ends))
         if feeds and not returns:
             warning = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"

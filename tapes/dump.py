@@ -25,8 +25,8 @@ _FARTHEST = 1 << 24
 _GAP = "; its addresses do not follow one another: is a line missing?"
 _STARRED = "; * stands for lines that it lacks: od -v writes them"
 _DRAWN = 9  # columns: eight channels and the sprocket hole
-_LIST = re.compile(r"[\[{]([\s,0-9a-fA-FxX]+)[\]}]")
-"""Of a program in C, Python or JSON."""
+_LIST = re.compile(r"[\[{]([\s,0-9a-fA-FxX]{15,})[\]}]")
+"""Of a program in C, Python or JSON: eight numbers or more."""
 _BASES = {"binary": 2, "octal": 8, "decimal": 10}
 _BESIDE = ("|", "/", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")

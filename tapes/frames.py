@@ -194,9 +194,9 @@ def draw_label(frames: bytes, columns: int = 72) -> list[str]:
     """Lines of characters as they are; letters for the eye as rows, a frame a column, channel 1 at the top,
     new rows after so many columns; the first 1,000 frames.
     """
-    text = frames.strip(_NO_LETTERS + _END_OF_FILE)
+    text = frames.strip(_NO_LETTERS + _END_OF_FILE).translate(PARITIES["none"])
     if b"\r\n" in text and not text.translate(None, WRITING):
-        return text.translate(PARITIES["none"]).decode("ascii").split("\r\n")
+        return text.decode("ascii").split("\r\n")
     holes = frames.strip(bytes([BLANK]))[:_LONGEST_LABEL]
     rows = []
     for start in range(0, len(holes), columns):
