@@ -8,7 +8,7 @@ import pytest
 from pdp8.computer.hardware.bus import Peripheral
 from pdp8.computer.hardware.devices import one_of_each
 from pdp8.computer.hardware.signals import TICKS_PER_SECOND
-from pdp8.computer.hardware.teletype import Teletype, printed
+from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
 from pdp8.monitor import commands, rack
 from pdp8.monitor.arguments import MonitorError
@@ -209,18 +209,6 @@ def test_who_counts_the_run_counts_on_beside_the_monitor(monitor: Monitor) -> No
     assert count.instructions == 3
 
 
-def test_words_of_8k_are_counted_to_its_end() -> None:
-    said: list[str] = []
-    monitor = Monitor(said.append, Machine(memory=0o20000))
-    for words, many in (("7777/2", 2), ("10000/1", 1), ("17777/1", 1), ("10000:17777", 0o10000)):
-        said.clear()
-        do(monitor, f"examine {words}")
-        assert len(said) == many
-    for words in ("17777/2", "0/20001", "20000"):
-        with pytest.raises(MonitorError, match=r"17777|00000 and 20000"):
-            do(monitor, f"examine {words}")
-
-
 def test_no_field_is_left_that_is_taken_out(monitor: Monitor) -> None:
     extension = monitor.machine.processor.extension
     fields = [name for name, kind in extension.fields.items() if kind == "70000"]
@@ -273,12 +261,6 @@ def test_with_sing_step_a_run_until_a_text_is_printed_is_not_content_with_a_cycl
     do(made, "set sing_step 1", "deposit 200 7001 5200", "go 200")
     with pytest.raises(MonitorError, match="'X' was not printed"):
         do(made, "go 200 until X 0.1")
-
-
-def test_keys_that_are_sent_before_a_run_are_typed_in_their_order() -> None:
-    made = Monitor(lambda line: None)
-    do(made, "deposit 200 6031 5200 6036 6046 5200", 'send "A"', 'send "B"', "go 200 1")
-    assert printed(bytes(made.machine.teletype.printer.frames)) == b"AB"
 
 
 def test_what_was_printed_before_a_boot_is_not_expected_after_it() -> None:
