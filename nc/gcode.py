@@ -27,6 +27,7 @@ from nc.path import Move, MoveKind, Path, Step
 from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.hydrapoint import COOLANT, MISCELLANEOUS, Miscellaneous, Preparatory
+from tapes.quantities import counted
 
 _FED = frozenset({MoveKind.FEED_IN, MoveKind.FEED_OUT, MoveKind.MILL})
 _TAPS = frozenset({Preparatory.TAP_FEED, Preparatory.TAP_PITCH})
@@ -113,7 +114,8 @@ def _header(path: Path, program: "_Program", points: list[int]) -> Iterator[str]
     def word(thousandths: float) -> str:
         return unit.said(thousandths, 4)
 
-    yield f"Moog Hydra-Point tape of 1971, {len(path)} blocks, about {minutes:.0f} min of cutting"
+    blocks = counted(len(path), "blocks")
+    yield f"Moog Hydra-Point tape of 1971, {blocks}, about {minutes:.0f} min of cutting"
     yield f"X {word(left)} to {word(right)}, Y {word(near)} to {word(far)}: the path of the cutter's centre"
     yield f"cutter {word(across)} across, which no tape says: its edge goes {word(across / 2)} further"
     others = "".join(f", others {word(points[0] - point)}" for point in points[1:])

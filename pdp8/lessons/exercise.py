@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from pdp8.lessons.answer import tag
+from tapes.quantities import counted
 
 
 @dataclass(frozen=True)
@@ -148,9 +149,13 @@ class Exercise:
 def _looked_at(trial: Trial) -> list[str]:
     """Return a sentence for each thing checked besides the results."""
     said = [
-        f"{place} is executed or called {times} times at least." for place, times in trial.executed.items()
+        f"{place} is executed or called {counted(times, 'times')} at least."
+        for place, times in trial.executed.items()
     ]
-    said += [f"{place} is called from {times} places at least." for place, times in trial.callers.items()]
+    said += [
+        f"{place} is called from {counted(times, 'places')} at least."
+        for place, times in trial.callers.items()
+    ]
     if trial.indirect:
         said.append(f"One of the words {_ranged(trial.indirect)} serves as a pointer, by I.")
     if trial.unchanged:

@@ -15,6 +15,7 @@ from pdp8.lessons.answer import Answer, assembled
 from pdp8.lessons.exercise import Case, Exercise, Question, Trial
 from pdp8.lessons.trial import Outcome
 from tapes import rim
+from tapes.quantities import counted
 
 _PRINTS = (0o6044, 0o6046)
 """TPC and TLS."""
@@ -95,7 +96,7 @@ def _broken(exercise: Exercise, answer: Answer) -> str:
         if item in items:
             return f"this exercise forbids {item}"
     if source.words is not None and len(answer.words) > source.words:
-        return f"{len(answer.words)} words of core; at most {source.words} are allowed"
+        return f"{counted(len(answer.words), 'words')} of core; at most {source.words} are allowed"
     for place in source.spare:
         if int(place, 8) in answer.words:
             return f"the word {place} is spare: this exercise puts its own there"
@@ -296,11 +297,13 @@ def _looked_at(answer: Answer, whole: Trial) -> Iterator[Failure]:
     for place, times in whole.executed.items():
         done = seen.executed.get(answer.address(place), 0)
         if done < times:
-            yield Failure(place, f"executed {times} times at least", f"executed {done} times")
+            yield Failure(
+                place, f"executed {counted(times, 'times')} at least", f"executed {counted(done, 'times')}"
+            )
     for place, times in whole.callers.items():
         places = len(seen.callers.get(answer.address(place), ()))
         if places < times:
-            yield Failure(place, f"called from {times} places at least", f"called from {places}")
+            yield Failure(place, f"called from {counted(times, 'places')} at least", f"called from {places}")
     pointers = [answer.address(place) for place in whole.indirect if trial.has(answer, place)]
     if whole.indirect and not any(address in seen.pointers for address in pointers):
         wanted = f"{whole.indirect[0]} to {whole.indirect[-1]}"
