@@ -62,7 +62,8 @@ class Source:
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
         self.feeds: list[int] = []
         self._lines: dict[int, list[tuple[int, int]]] = {}
-        """The columns of the items of a line that was asked for."""
+        """The columns of the items of a line that was asked for; its text, which all its places share."""
+        self._texts: dict[int, str] = {}
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
             self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]
@@ -121,6 +122,7 @@ class Source:
         if line not in self._lines:
             found = _ITEM.finditer(self._code[begin : end + 1])
             self._lines[line] = [(match.start(), match.end()) for match in found]
+            self._texts[line] = self.shown[begin:end]
         start, after = self._lines[line][at - (self.line_ends[line - 1] + 1 if line else 0)]
         if self.items[at][0]:
             after = start + len(self.items[at][0])
@@ -128,7 +130,7 @@ class Source:
             start = after - 1
         tape = sum(first <= begin + start for first in self._starts) - 1
         number = line - bisect_left(self._ends, self._starts[tape]) + 1
-        return Place(tape, number, self.shown[begin:end], start, after)
+        return Place(tape, number, self._texts[line], start, after)
 
 
 def plain(text: str) -> str:

@@ -116,6 +116,9 @@ def test_of_a_long_line_a_hundred_characters_are_shown() -> None:
         [f"    {line[start : start + 100]}", f"    {' ' * blanks}^"]
         for start, blanks in ((12, 50), (74, 50), (88, 98))
     ]
+    for dialect in ("pal3", "pal8"):
+        said = pal.assemble("TAD X;TAD Y;TAD Z\n$\n", dialect=dialect).diagnostics
+        assert len({id(found.source) for found in said}) == 1 < len(said), "it is kept once"
     line = "\tTEXT /" + "ABCDEFGHIJ" * 15
     (error,) = pal.assemble(f"{line}\n$\n", dialect="pal8").diagnostics
     assert error.excerpt == [f"    {line[:100]}", "    \t" + "^" * 99]
