@@ -201,8 +201,10 @@ def wait(monitor: Monitor, time: str) -> None:
     machine = monitor.machine
     end = machine.ticks + round(seconds(time) * TICKS_PER_SECOND)
     if machine.panel.lamps.run:
-        for _ in slices(monitor, seconds(time)):
-            pass
+        *_, stop = slices(monitor, seconds(time))
+        if stop.reason is Reason.BREAKPOINT:
+            monitor.say_stop(stop)
+            return
     if not monitor.stopping:
         machine.wait(max(0, end - machine.ticks) / TICKS_PER_SECOND)
 
