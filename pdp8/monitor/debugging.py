@@ -7,6 +7,7 @@ from itertools import cycle as cycle_of
 from pal.isa import DEFER, EXECUTE, STATES
 from pdp8.computer.count import Count
 from pdp8.computer.hardware.extension import FIELD, MEMORY
+from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from pdp8.computer.past import state
 from pdp8.computer.use import counted
@@ -203,7 +204,15 @@ def cycle(monitor: Monitor, count: str = "1") -> None:
 
 
 class _Said(Trace):
-    """A trace that the monitor says; `pdp8 run --trace` writes another."""
+    """A trace that the monitor says, by what is loaded now; `pdp8 run --trace` writes another."""
+
+    def __init__(self, monitor: Monitor, cycles: bool) -> None:
+        super().__init__(monitor.say, monitor.listing, cycles)
+        self._monitor = monitor
+
+    def cycle(self, processor: Processor, interrupt: bool) -> None:
+        self._listing = self._monitor.listing
+        super().cycle(processor, interrupt)
 
 
 class _Counted(Count):
@@ -222,7 +231,7 @@ def _traced(monitor: Monitor, count: str, cycles: bool) -> None:
     machine, watch = monitor.machine, monitor.machine.watch
     machine.watch = Watch()
     machine.watch.observer = watch.observer
-    _observe(monitor, _Said, _Said(monitor.say, monitor.listing, cycles))
+    _observe(monitor, _Said, _Said(monitor, cycles))
     try:
         for _ in range(octal(count)):
             machine.run(cycles=1)
@@ -238,8 +247,7 @@ def trace(monitor: Monitor, what: str) -> None:
     """Say every instruction, or cycle, of the runs to come, or no longer."""
     if what not in ("on", "cycles", "off"):
         raise MonitorError(f"{what}: on, cycles or off")
-    tracer = _Said(monitor.say, monitor.listing, what == "cycles")
-    _observe(monitor, _Said, None if what == "off" else tracer)
+    _observe(monitor, _Said, None if what == "off" else _Said(monitor, what == "cycles"))
 
 
 def count(monitor: Monitor, what: str = "") -> None:

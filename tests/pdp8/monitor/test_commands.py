@@ -203,6 +203,11 @@ def test_whatever_lets_the_machine_run_is_counted(monitor: Monitor, said: list[s
     assert any(line.endswith(", with what was undone") for line in said)
 
 
+def test_a_trace_has_the_listing_of_what_is_loaded_after_it(monitor: Monitor, said: list[str]) -> None:
+    do(monitor, "trace on", "load hello.pal", "go 200 0.000001")
+    assert "START,  CLA CLL" in said[-2]
+
+
 def test_who_counts_the_run_counts_on_beside_the_monitor(monitor: Monitor) -> None:
     with monitor.machine.count() as count:
         do(monitor, "step", "count on", "step", "count off", "step", "count")
