@@ -8,8 +8,9 @@
     0cc 0cc      checksum: the sum of the frames of all origins and words, as whole frames, modulo 2**12
     200 ...      trailer
 
-One tape may hold several such sections; after each the loader halts, and CONT reads the next. Leader and
-trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1) punched them.
+One tape may hold several such sections; after each the loader halts, and CONT reads the next, into the field
+of the last word unless it names another. Leader and trailer are 64 frames, as PAL III of 1967 (DEC-08-ASB1)
+punched them.
 
 A tape is read as the loader reads it, from the frame on which an operator would set it: past blank tape and
 past a title, with whose frames the loader would make words. It may have no leader; letters with channel 8 in
@@ -155,9 +156,9 @@ def find_damage(reading: Reading) -> TapeError | None:
 def content(reading: Reading) -> Content:
     """The words of a damaged tape; the last of an unended section may be a checksum and is left out."""
     found = Content({}, {})
-    for section in reading.sections:
-        _load(section.items, found)
-    _load(reading.unended[:-1], found)
+    bank = 0
+    for items in (*(section.items for section in reading.sections), reading.unended[:-1]):
+        bank = _load(items, bank, found)
     return found
 
 
@@ -190,12 +191,12 @@ def _read_from(frames: bytes, start: int) -> Reading:
     labels = [*label_before(frames, start)]
     notes = missing_leader(frames, start)
     sections: list[Section] = []
-    while at < len(frames):
+    while at < len(frames) and not (sections and not frames[at:].strip(PADDING)):
         items, end, damage = _items(frames, at, labels)
         if not sections and labels:
             start = max(start, labels[-1].stop)  # past a title, which no loader is sure to pass over
         closing = _checksum_at(frames, items) if damage else 0
-        if closing:
+        if closing and (not sections or first(items).kind == ORIGIN):
             sections.append(_close(items[: closing + 1]))
             notes = (*notes, no_trailer(len(frames) - items[closing].frame - 2, "checksum"))
             break
@@ -251,9 +252,10 @@ def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:
     return 0 <= wrong < len(frames) and len(items) < _A_SECTION
 
 
-def _load(items: Iterable[Item], content: Content) -> None:
-    bank = 0
+def _load(items: Iterable[Item], bank: int, content: Content) -> int:
+    """Put the words of a section into `content`, from field `bank` on; return the field of the last."""
     address: int | None = None
+    last = bank
     for kind, value, frame in items:
         if kind == FIELD:
             bank = value << 12
@@ -265,6 +267,8 @@ def _load(items: Iterable[Item], content: Content) -> None:
         else:
             content.words[bank | address] = value
             address = address + 1 & 0o7777
+            last = bank
+    return last
 
 
 def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int, TapeError | None]:

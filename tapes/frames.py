@@ -39,10 +39,11 @@ WRITING = bytes([*range(0o007, 0o016), *range(0o040, 0o200), *range(0o207, 0o216
 FILL = bytes([BLANK, LEADER, RUBOUT])
 """Frames that are no characters and no words."""
 
-_LONGEST_LABEL = 1_000
+LONGEST_LABEL = 1_000
 _END_OF_FILE = b"\x1a"
 _MOST_LINES = 2
 """Lines of a title: more are a text."""
+_SILENT = bytes([*range(0o007, 0o012), 0o013, 0o014, RUBOUT & 0o177])
 _NO_LETTERS = bytes([BLANK, LEADER])
 _RUBBED_OUT = bytes([BLANK, RUBOUT])
 _CODES = bytes(range(0o200)) * 2  # of every frame, without its channel 8
@@ -192,13 +193,15 @@ def channels(frame: int) -> tuple[int, ...]:
 
 def draw_label(frames: bytes, columns: int = 72) -> list[str]:
     """Lines of characters as they are; letters for the eye as rows, a frame a column, channel 1 at the top,
-    new rows after so many columns; the first 1,000 frames.
+    new rows after so many columns; none for what is longer than any label.
     """
     text = frames.strip(_NO_LETTERS + _END_OF_FILE).translate(PARITIES["none"])
     if b"\r\n" in text and not text.translate(None, WRITING):
-        return text.decode("ascii").split("\r\n")
-    holes = frames.strip(bytes([BLANK]))[:_LONGEST_LABEL]
-    rows = []
+        return [line for line in text.translate(None, _SILENT).decode("ascii").split("\r\n") if line]
+    holes = frames.strip(bytes([BLANK]))
+    rows: list[str] = []
+    if len(holes) > LONGEST_LABEL:
+        return rows
     for start in range(0, len(holes), columns):
         piece = holes[start : start + columns]
         lines = ("".join("o" if frame >> channel & 1 else " " for frame in piece) for channel in range(8))

@@ -17,6 +17,7 @@ from tapes.frames import (
     FILL,
     LEADER,
     LEAST_LEADER,
+    LONGEST_LABEL,
     PARITIES,
     RUBOUT,
     WRITING,
@@ -79,7 +80,8 @@ class Words(Code):
     def left_out(self, frames: bytes) -> tuple[str, ...]:
         """Return what to say of a tape beside its program: labels, what it lacks, a good section after it."""
         known = self.known(frames)
-        return (*(f"a label of {_place(label)}, left out" for label in known.labels), *known.notes)
+        said = ["a label of " * (len(label) <= LONGEST_LABEL) + _place(label) for label in known.labels]
+        return (*(f"{each}, left out" for each in said), *known.notes)
 
     def likelihood(self, frames: bytes) -> float:
         """Return how likely a tape is in this format; one of characters, without leader, is a text."""
@@ -292,7 +294,7 @@ def _single(frame: int) -> str:
 def _labels(frames: bytes, labels: tuple[range, ...]) -> Iterator[Row]:
     """Say where each label is, and draw it as the eye reads it."""
     for label in labels:
-        yield "label", _place(label)
+        yield "label" if len(label) <= LONGEST_LABEL else "rest", _place(label)
         for row in draw_label(frames[label.start : label.stop]):
             yield "", row
 

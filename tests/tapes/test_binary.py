@@ -79,11 +79,23 @@ def test_what_stands_between_rubouts_is_not_read() -> None:
     assert codes.recognise(two) is codes.BIN
 
 
-def test_sections_follow_each_other_from_field_0_and_the_later_word_stays() -> None:
+def test_sections_follow_each_other_and_the_later_word_stays() -> None:
+    """Without a field a section goes where the last word went: DEC-08-LBAA takes its field from the data
+    field (6214 at 7703), which CONT leaves as the section before has set it.
+    """
     sections = {0o200: 1, 0o201: 2}, {0o201: 3}, {0o10000: 4}, {0: 5}
     several = bytes(9).join(map(binary.encode, sections))
-    assert binary.decode(several).words == {0o200: 1, 0o201: 3, 0o10000: 4, 0: 5}
+    assert binary.decode(several).words == {0o200: 1, 0o201: 3, 0o10000: 5}
     assert len(binary.read(several).sections) == 4
+    ends = tape("102 000 000 001 320 001 003")  # a field after the last word
+    assert binary.decode(ends + tape("102 001 000 001 001 004")).words == {0o200: 1, 0o201: 1}
+
+
+def test_padding_behind_a_tape_is_no_section() -> None:
+    """OS/8 closes a file with ^Z and fills its block with zeros, which are words and their sum."""
+    for rest in ("232" + " 000" * 40, "032" + " 000" * 3, "000" + " 000" * 40):
+        assert binary.read(FORMAT_BIN + octal(rest)) == binary.read(FORMAT_BIN)
+        assert binary.decode(FORMAT_BIN + FORMAT_BIN + octal(rest)).words == FORMAT_WORDS
 
 
 LABELS = {
