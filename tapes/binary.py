@@ -191,7 +191,8 @@ def _read_from(frames: bytes, start: int) -> Reading:
     labels = [*label_before(frames, start)]
     notes = missing_leader(frames, start)
     sections: list[Section] = []
-    while at < len(frames) and not (sections and not frames[at:].strip(PADDING)):
+    padding = len(frames.rstrip(PADDING))
+    while at < (padding if sections else len(frames)):
         items, end, damage = _items(frames, at, labels)
         if not sections and labels:
             start = max(start, labels[-1].stop)  # past a title, which no loader is sure to pass over
