@@ -41,8 +41,12 @@ def boot(monitor: Monitor, name: str, *force: str) -> None:
     forced = _forced(force)
     found = _program(monitor, name, True)
     loader = rim_format.encode(shelf.bundled_program("bin.pal").words)
+    in_reader = monitor.machine.teletype.reader
+    unread = in_reader.tape if in_reader.loaded and in_reader.position == 0 else b""
     for step in monitor.operator.boot(loader, found.tape, name, forced):
         monitor.say(str(step))
+    if unread:
+        monitor.operator.mount("what was in the reader", unread)
     monitor.listing = found.listing
     _say_notes(monitor, found)
 

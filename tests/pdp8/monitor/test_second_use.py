@@ -63,7 +63,7 @@ def said(before: list[str]) -> tuple[list[str], str]:
     ("between", "frames"),
     [
         ("save s|restore s", 5), ("set cpu 8k", 5), ("step 2|go 200 .00001|back 4", 5),
-        ("reader stop", 0), ("reader start|reader stop", 0),
+        ("boot eia.pal", 5), ("reader stop", 0), ("reader start|reader stop", 0),
     ],
 )  # fmt: skip
 def test_start_throws_the_lever_for_a_tape_unless_a_hand_put_it_to_stop(
