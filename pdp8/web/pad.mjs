@@ -27,6 +27,7 @@ export class Pad {
     for (const event of ["pointerup", "pointercancel"]) svg.addEventListener(event, (/** @type {any} */ { pointerId }) => {
       if (!this.finger || pointerId !== this.pointer) return;
       this.finger = null;
+      if (this.drawn[0] === this.drawn[1]) return changed(); // a tap draws nothing
       this.#join();
       this.#smooth();
       changed();

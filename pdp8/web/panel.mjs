@@ -24,8 +24,7 @@ export class Panel {
   show(/** @type {Machine} */ machine, /** @type {string | null} */ pressed, /** @type {Lamps[] | undefined} */ samples) {
     /** @type {Machine} */ this.machine = machine;
     /** @type {string | null} */ this.pressed = pressed;
-    this.filaments.follow(samples ?? [machine.panel.lamps], samples ? INERTIA : 0);
-    this.filaments.lit.set("ema", [machine.panel.ema ? 1 : 0]);
+    this.filaments.follow(samples ?? [machine.panel.lamps], samples ? INERTIA : 0, machine.panel.ema);
     this.hands.mark(machine.processor);
     /** @type {string} */ this.words = samples && machine.processor.run ? "running" : inWords(machine);
     if (this.speaking) this.#say(this.words);
@@ -63,7 +62,7 @@ export class Panel {
 }
 
 /** What the lamps say. */
-export function inWords(/** @type {Machine} */ { link, ac, processor: { ma, mb, ir, state, ion, run } }) {
-  return `memory address ${octal(ma)}, memory buffer ${octal(mb)}, link ${link}, accumulator ${octal(ac)}, `
+export function inWords(/** @type {Machine} */ { link, ac, panel: { ema }, processor: { ma, mb, ir, state, ion, run } }) {
+  return `${ema ? "EMA lit, " : ""}memory address ${octal(ma)}, memory buffer ${octal(mb)}, link ${link}, accumulator ${octal(ac)}, `
     + `instruction ${ir}, ${STATES[state].toLowerCase()}${ion ? ", interrupt on" : ""}, ${run ? "running" : "stopped"}`;
 }

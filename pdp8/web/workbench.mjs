@@ -34,7 +34,6 @@ import { Room } from "./room/room.mjs";
 import { Sound } from "./room/sound.mjs";
 import { DESK, find, grouped, LATER, octal, readdress } from "./written.mjs";
 
-const OVER = ["halt", "protect", "stop key"]; // by the program, or by its operator
 const GOES_ON = ["limit", "tape out", "idle"]; // when its time has come, or somebody does something
 const FARTHEST = 50_000_000; // instructions that a link may have run: two or three seconds
 const MEMORY = 32 << 20; // bytes of what can be undone
@@ -168,11 +167,11 @@ export class Bench {
   /** A run has ended: say why and where. */
   ended(/** @type {string} */ reason) {
     const { processor, watch, pc, ma } = this.machine;
-    const place = reason === "breakpoint" && !watch.breakpoints.has(pc) ? ma : pc; // a JMS to a breakpoint is beyond it
+    const place = watch.breakpoints.has(pc) ? pc : ma; // a JMS to a breakpoint is beyond it
     const { said } = this.until;
     this.aim();
     processor.run = 0;
-    this.say(said || (OVER.includes(reason) ? this.told(reason) : `${reason} at ${octal(place)}`));
+    this.say(said || (reason === "breakpoint" ? `${reason} at ${octal(place)}` : this.told(reason)));
   }
 
   /** START or CONT was pressed and the machine runs; START on a breakpoint stops there. */
@@ -250,10 +249,10 @@ export class Bench {
       this.say(`${name}: longer than ${grouped(LARGEST)} bytes, the most that is read of a file`);
       return;
     }
-    const source = /\.(pa[l8]?|txt|src)$/i.test(name);
     try {
       const frames = bytes(new Uint8Array(await file.arrayBuffer())); // of a folder there are none
       const text = new TextDecoder().decode(frames);
+      const source = /\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin
       const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (this.drives.takes(name, frames)) this.drives.mount(name, frames);

@@ -2,11 +2,12 @@
 // nobody attends, where with ?rest=SECONDS it begins afresh when it was not touched for so long.
 
 const LEAST = 10; // seconds: in less nobody has done anything
+const MOST = 2e6; // and as many as a timer takes
 
 const asked = new URLSearchParams(globalThis.location?.search);
 const seconds = Number(asked.get("rest"));
 /** The seconds after which it begins afresh; 0 where somebody attends. Nothing is kept from one visitor to the next. */
-export const RESTS = seconds > 0 ? Math.max(LEAST, seconds) : 0;
+export const RESTS = seconds > 0 ? Math.min(MOST, Math.max(LEAST, seconds)) : 0;
 /** The panes that it asks for, "" for all. */
 export const EMBED = asked.get("embed") ?? "";
 

@@ -72,8 +72,8 @@ export class Drives {
     bench.afternoon.takeOver();
     const { machine } = bench;
     bench.machine = bench.like(machine, [new TC08()], Math.max(machine.memory, 2 * FIELD));
-    const { breakpoints, observer } = machine.watch; // a goal that it runs to may take a breakpoint out
-    Object.assign(bench.machine.watch, { breakpoints, observer });
+    const { breakpoints, observer, writes } = machine.watch; // a goal that it runs to may take a breakpoint out
+    Object.assign(bench.machine.watch, { breakpoints, observer, writes });
   }
 
   /** A machine of a saved state, which may have a TC08 with reels that are here. */
@@ -99,6 +99,7 @@ export class Drives {
   /** Toggle in the bootstrap of drive 0, and press START. */
   boot() {
     this.bench.aim();
+    this.bench.switches.card.end();
     this.bench.touch((machine) => {
       machine.panel.mem_prot = machine.panel.sing_step = false; // as by hand, or it would not go
       boot(machine);

@@ -120,7 +120,7 @@ export class Editor {
   #named(/** @type {string} */ name) {
     this.name = name;
     keep(OPEN, name);
-    const options = (/** @type {string[]} */ names) => names.map((each) => html`<option>${each}</option>`);
+    const options = (/** @type {string[]} */ names) => names.map((each) => html`<option value="${each}">${each}</option>`);
     put(find("sources"), html`<option value="">Open …</option><optgroup label="Yours">${options(this.bench.programs.names())}</optgroup>
       <optgroup label="Bundled">${options(this.bench.shelf.sources)}</optgroup>`);
   }

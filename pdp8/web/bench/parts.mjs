@@ -173,7 +173,7 @@ export class Parts {
     if (clock.speed === Infinity) time.setSpeed(this.speed);
     if (other) return void (find("part-translated").textContent = "");
     const { frames } = machine.teletype.punch;
-    find("part-translated").textContent = `${many(frames.length, "frames")} of EIA: ${duration(machine.elapsed)} on the PDP-8/L.`;
+    find("part-translated").textContent = `${machine.processor.run ? "" : "Stopped: "}${many(frames.length, "frames")} of EIA: ${duration(machine.elapsed)} on the PDP-8/L.`;
     find("part-cut").disabled = !frames.length;
   }
 }

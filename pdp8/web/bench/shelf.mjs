@@ -65,7 +65,7 @@ export class Shelf {
     for (const list of lists) {
       const { value } = list;
       const names = this.names().filter((name) => /** @type {any} */ (OFFERED)[String(list.dataset.tapes)](name, this));
-      list.replaceChildren(list.options[0], ...names.map((name) => new Option(name)));
+      list.replaceChildren(list.options[0], ...names.map((name) => new Option(name, name)));
       list.value = value;
     }
   }

@@ -108,6 +108,7 @@ class Card {
   }
 
   toggle() {
+    this.end();
     const keys = this.bench.touch((machine) => {
       machine.panel.stop();
       machine.panel.mem_prot = false;
@@ -117,7 +118,7 @@ class Card {
   }
 
   drill() {
-    this.bench.afternoon.takeOver();
+    this.bench.touch(({ panel }) => panel.stop()); // a machine that runs hears no key
     if (this.coach) this.#practise(false);
     else this.practise();
   }

@@ -21,6 +21,7 @@ export class Teletype {
     this.leverWaits = false;
     this.names = /** @type {WeakMap<Bytes, string>} */ (new WeakMap()); // of tapes: a step back has another one in the reader
     this.clear();
+    for (const place of [find("paper"), find("typed")]) place.addEventListener("paste", (/** @type {ClipboardEvent} */ event) => this.#paste(event));
     find("paper").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => this.#key(event));
     find("typed").addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
       if (event.key !== "Enter") return;
@@ -98,11 +99,17 @@ export class Teletype {
     this.bench.touch(({ teletype }) => teletype.keyboard.press(sent(key)));
   }
 
+  /** What is pasted is typed, a line's end by RETURN: a field of the browser's would lose it. */
+  #paste(/** @type {any} */ event) {
+    event.preventDefault();
+    this.#press(event.clipboardData.getData("text/plain").replace(/\r?\n/g, NAMED.Enter));
+  }
+
   #key(/** @type {any} */ event) {
     if (event.metaKey || event.key === "Tab") return;
     const signs = event.altKey && /^[^\w\s]$/.test(event.key); // by AltGr
     const copied = event.ctrlKey && event.key === "c" && String(getSelection());
-    const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !event.altKey && !copied;
+    const control = event.ctrlKey && /^[a-z]$/i.test(event.key) && !event.altKey && !event.shiftKey && !copied; // Ctrl-Shift-V pastes, as at a terminal
     if ((event.ctrlKey || event.altKey) && !control && !signs) return;
     const key = control ? String.fromCharCode(event.key.charCodeAt(0) & 0o37) : /** @type {Record<string, string>} */ (NAMED)[event.key] ?? event.key;
     if (key.length !== 1 || !sent(key).length) return;

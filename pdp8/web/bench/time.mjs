@@ -41,13 +41,12 @@ export class Time {
     else this.run();
   }
 
-  /** Press CONT; the run ends at its `goal`. */
+  /** Press CONT, if the card allows it; the run ends at its `goal`. */
   run(goal = /** @type {import("../../computer/use/goals.mjs").Goal | undefined} */ (undefined)) {
     const { bench } = this;
     bench.aim(goal);
-    bench.machine.panel.cont();
-    bench.teletype.started();
-    bench.touched();
+    bench.switches.press("cont");
+    if (!bench.machine.processor.run) bench.aim();
   }
 
   /** Go on (1) or back (-1) by the chosen unit. */
@@ -55,12 +54,14 @@ export class Time {
     const { bench, unit } = this;
     if (bench.afternoon.on) return bench.afternoon.step(unit, Number(value));
     bench.aim();
+    bench.switches.card.end(); // a step back takes words away
     if (Number(value) > 0) this.#forward(unit);
     else this.#back(unit);
   }
 
   #forward(/** @type {string} */ unit) {
     const { bench } = this;
+    bench.teletype.started();
     const reason = forward(bench.history, unit);
     bench.machine.processor.run = 0;
     if (reason === "limit") bench.say("");

@@ -46,8 +46,8 @@ function slab(/** @type {Canvas} */ c, /** @type {number} */ x, /** @type {numbe
   c.fillRect(x, y, w, h);
 }
 
-/** The ideal curve over what was milled, called `name`, and a ruler in inches below it and at its left, to eighths. */
-export function drawMeasured(/** @type {Canvas} */ c, /** @type {[number, number][]} */ ideal, /** @type {string} */ name) {
+/** The ideal curve of a part over what was milled, and a ruler in inches below it and at its left, to eighths. */
+export function drawMeasured(/** @type {Canvas} */ c, /** @type {[number, number][]} */ ideal, /** @type {string} */ part) {
   const [xs, ys] = [0, 1].map((axis) => ideal.map((point) => point[axis]));
   const [left, right, bottom, top] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const [width, height, x, y] = [right - left, top - bottom, (left + right) / 2, (bottom + top) / 2];
@@ -63,7 +63,7 @@ export function drawMeasured(/** @type {Canvas} */ c, /** @type {[number, number
   c.beginPath();
   for (const [px, py] of ideal) c.lineTo(px, py);
   c.stroke();
-  label(`the ideal ${name}`, x, y + size * 0.6, "#8a4b00", 1.3);
+  label(`the ideal ${["circle", "ellipse"].includes(part) ? part : "curve"}`, x, y + size * 0.6, "#8a4b00", 1.3);
   label(`${inches(width)} by ${inches(height)} inches`, x, y - size * 1.3, "#33383a");
   for (const [long, turned] of /** @type {[number, boolean][]} */ ([[width, false], [height, true]])) {
     c.save();

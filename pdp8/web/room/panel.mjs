@@ -105,9 +105,12 @@ export class Filaments {
     this.moves = false; // whether some filament has not followed yet
   }
 
-  /** Follow what some samples of the lamps say; `keep`, 0 to 1, is how much of its brightness a filament keeps. */
-  follow(/** @type {Lamps[]} */ samples, keep = 0) {
+  /** Follow what some samples of the lamps say; `keep`, 0 to 1, is how much of its brightness a filament keeps; `ema`, the
+   *  field that the lamp EMA is of.
+   */
+  follow(/** @type {Lamps[]} */ samples, keep = 0, ema = 0) {
     this.moves = false;
+    this.lit.set("ema", [Math.min(1, ema)]);
     for (const [field, bits] of shares(samples).items()) {
       const before = this.lit.get(field) ?? bits;
       this.lit.set(field, bits.map((now, index) => {

@@ -103,9 +103,9 @@ export class Room {
     bench.clock.pictures.stop();
   }
 
-  /** Keep the machine at which somebody has worked: with anything in its core, or a DECtape. */
+  /** Keep the machine at which somebody has worked: with anything in its core or reader, or a DECtape. */
   keep(/** @type {Machine} */ machine) {
-    this.own = machine.processor.core.some((word) => word) || machine.memory > FIELD ? machine : null;
+    this.own = machine.processor.core.some((word) => word) || machine.memory > FIELD || machine.teletype.reader.loaded ? machine : null;
     this.#buttons();
   }
 
@@ -465,7 +465,7 @@ export class Room {
   /** Draw the room; return whether something in it still moves of itself. */
   #draw(/** @type {number} */ seconds, /** @type {any} */ shown) {
     const { bench: { afternoon, machine }, filaments, moved } = this;
-    filaments.follow(this.samples ?? [machine.panel.lamps], this.still ? 0 : Math.exp(-seconds / FILAMENT));
+    filaments.follow(this.samples ?? [machine.panel.lamps], this.still ? 0 : Math.exp(-seconds / FILAMENT), machine.panel.ema);
     moved.struck *= Math.exp(-seconds / 0.03);
     moved.fed *= Math.exp(-seconds / 0.04);
     const live = {
@@ -557,7 +557,7 @@ export class Room {
     if (close > 0) wall.draw(c, close);
     const { band, part } = this.bench.record.afternoon;
     c.globalAlpha = Math.max(0, 1 - close * 4);
-    if (measured && band) drawMeasured(c, band.nominal, ["circle", "ellipse"].includes(part) ? part : "curve");
+    if (measured && band) drawMeasured(c, band.nominal, part);
     c.restore();
     if (!measured && above > 0.5) drawCutter(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns);
     if (above < 1) drawSpindle(c, (diameter / 2) * fit, place.down && second >= 0, moved.turns, above * above * 9);

@@ -1,3 +1,4 @@
+/* global performance */
 // The figures of "A curve in ten minutes" by themselves (again.mjs): what is kept, dragged, written and said.
 
 import { Element, find, get, nothing, page, soon } from "./again.mjs";
@@ -190,6 +191,20 @@ export const cases = {
     });
     return [said, [["A circle ", false], ["Something", false], ["Something", false], ["Every cor", false], ["Every cor", false], ["Every cor", true]]];
   },
+  "both sides are drawn, each once, and nothing undefined, whatever the sliders say": async () => {
+    const { withoutWaiting } = await get("curve/made");
+    const wrong = [], names = new Set(), slopes = Array.from({ length: 20 }, (_, at) => ["slopes", "stepwise", { tolerance: 150 + 3 * at, dx: 0, angle: 30 }]);
+    for (const [from, name, values] of [["near", "near", { near: 1 }], ["near", "near", { near: 250 }], ["roundness", "roundness", { times: 100, closed: true, cutter: 8 }], ...slopes]) {
+      let content = (inputs(name, {}), "");
+      const figure = (await get(`curve/${from}`))[name]();
+      withoutWaiting(() => ([content] = figure.draw(values, 700)));
+      const all = content.match(/<[a-z][^>]*class="(limit|division|heavy|outer|inner)[^>]*>/g) ?? [];
+      const [outer, inner] = ["outer", "inner"].map((side) => content.match(new RegExp(`(?<=t-${side}"[^>]*>)[^<]+`, "g"))?.join());
+      for (const [, each] of content.matchAll(/class="name">(.)/g)) names.add(each);
+      if (new Set(all).size < all.length || (outer && outer === inner) || /undefined|NaN/.test(content)) wrong.push([name, values]);
+    }
+    return [[wrong, [...names].sort().join("")], [[], "ABCDEFGHIJKLMNO"]];
+  },
   "the whole circle begins with its first block, reads, cuts, and is done": async () => {
     const { whole } = await get("curve/whole");
     const { withoutWaiting } = await get("curve/made");
@@ -211,10 +226,17 @@ export const cases = {
     const button = new Element();
     const asked = [];
     globalThis.requestAnimationFrame = (act) => (asked.push(act), asked.length);
+    const later = globalThis.setTimeout;
+    globalThis.setTimeout = (act) => void act();
     whole(button);
+    time.value = "999";
+    button.hear("click");
+    asked.pop()(performance.now() + 100);
+    globalThis.setTimeout = later;
+    const seen = [button.textContent, time.value];
     time.value = "400";
     button.hear("click");
-    const seen = [button.textContent, time.value];
+    seen.push(button.textContent, time.value);
     button.hear("click");
     seen.push(button.textContent);
     for (const place of [time, find("whole").querySelector("svg")]) {
@@ -230,7 +252,7 @@ export const cases = {
       seen.push(button.textContent, time.value);
     }
     globalThis.matchMedia = matchMedia;
-    return [seen, ["Stop", "400", "Cut", "Cut", "400", "Cut", "400", "Cut", "428", "Cut", "28"]];
+    return [seen, ["Cut", "1000", "Stop", "400", "Cut", "Cut", "400", "Cut", "400", "Cut", "428", "Cut", "28"]];
   },
   "a band made straight names its sides where there is space between them": async () => {
     const { straightened } = await get("curve/drawing");
@@ -295,7 +317,7 @@ export const cases = {
     globalThis.setTimeout = real;
     return [[seen, said.includes("goes another way"), along, band, waits, refused.slice(0, 30)], [[[true, false], 1, [true, false], [false, true], [true, false], [true, false], [false, true], [true, false], "Lift the finger, and it is cut."], true, Array(5).fill("0,1000"), [true, true, 20, 30], true, "It cannot be cut: tolerance 0 "]];
   },
-  "a stroke of the finger is taken from end to end, and what lies beside it meets it": async () => {
+  "a stroke of the finger is taken from end to end, what lies beside it meets it, and a tap draws nothing": async () => {
     const { Pad } = await get("pad");
     const svg = find("pad");
     Object.assign(svg, { viewBox: { baseVal: { width: 1000 } }, getBoundingClientRect: () => ({ left: 0, top: 0, width: 1000 }) });
@@ -311,7 +333,7 @@ export const cases = {
       return pad.heights.filter((_, at) => at % 25 === 0);
     };
     pad.text = Array(101).fill("5").join(" ");
-    const seen = [stroke([1950, 5500], [6050, 5500]), stroke([6050, 4000], [1950, 9000]), stroke([2990, 5100], [3010, 5100], [2990, 5100])];
+    const seen = [stroke([1950, 5500], [6050, 5500]), stroke([6050, 4000], [1950, 9000]), stroke([2990, 5100], [3010, 5100], [2990, 5100]), stroke([3000, 4000])];
     event("pointerdown", 3000, 5000, {});
     event("pointermove", 3000, 4000);
     event("pointerdown", 3000, 1000);
@@ -320,7 +342,7 @@ export const cases = {
     seen.push(changes, pad.heights[0], pad.text.split(" ").length);
     pad.text = Array.from({ length: 101 }, (_, at) => 4 + at / 50).join("\n");
     seen.push([[2000, 4000], [4000, 5100], [6100, 6000]].map(([x, y]) => Object.values(pad.beside({ x, y })).map(Math.round)));
-    return [seen, [Array(5).fill(5500), [6173, 5637, 5100, 4563, 4027], [5615, 5100, 4585, 4048, 3800], 7, 5615, 101, [[0, 0], [2000, 89], [4100, -45]]]];
+    return [seen, [Array(5).fill(5500), [6173, 5637, 5100, 4563, 4027], [5615, 5100, 4585, 4048, 3800], [5615, 5100, 4585, 4048, 3800], 8, 5615, 101, [[0, 0], [2000, 89], [4100, -45]]]];
   },
   "a ring is lit while its input has the focus": async () => {
     const { Figure } = await get("curve/drawing");

@@ -176,11 +176,6 @@ export const cases = {
     history.replaceState = nothing;
     return [[given.length, given[0], /^#t=\d/.test(given[1])], [2, "", true]];
   },
-  "a machine with nothing in its core is not kept": async () => {
-    const made = await drawn();
-    const kept = [await machine(), await worked(1)].map((each) => (made.keep(each), made.own === each));
-    return [kept, [false, true]];
-  },
   "one picture of the tape is kept at a time": async () => {
     const made = await taken();
     const given = [];
@@ -451,7 +446,7 @@ export const cases = {
     const upside = sides(made[0]).map(([top, bottom]) => [Math.round(1.64 * 160) - bottom, Math.round(1.64 * 160) - top]).sort((one, other) => one[0] - other[0] || one[1] - other[1]);
     return [
       [levels, round, shone.filter((place) => !own.has(place)), [...own].filter((place) => !shone.includes(place)), inside, flipped, upside, kinds(rockers), kinds(pictures(0, 0o4001, "start"))],
-      [[0, 0, 100, 100, 100], true, [], ["1.700 2.300"], true, [[[], 0], [[], 0]], sides(made[6]), "01122211122345555555", "01122211122344555555"]];
+      [[0, 0, 102, 102, 102], true, [], [], true, [[[], 0], [[], 0]], sides(made[6]), "01122211122345555555", "01122211122344555555"]];
   },
   "a tape lies with its frame at the head, and ends where its paper does": async () => {
     const { drawTape, PITCH, TRACKS } = await get("room/tape");
@@ -492,6 +487,7 @@ export const cases = {
     const { filled, texts, lines } = drawing((c) => drawMeasured(c, [[1000, 2000], [3250, 2000], [3250, 3125]], "die"));
     const [across, up] = filled.flatMap(([, , , , , colour], at) => (colour === "#d9d3c2" ? at : []));
     const labels = texts.map(([text]) => text);
+    for (const part of ["ellipse", "circle"]) labels.push(drawing((c) => drawMeasured(c, [[0, 0], [9, 9]], part)).texts[0][0]);
     const marks = filled.slice(across + 1, up), long = (of, low, high) => of.map((mark) => (mark[high] - mark[low]) / 93.75).map((part) => part.toFixed(1));
     const place = (tilt) => {
       let at;
@@ -503,7 +499,7 @@ export const cases = {
     const table = drawing((c) => drawTable(c, { left: 0, right: 100, bottom: 0, top: 50 }, 1)).filled;
     return [
       [marks.length, filled.length - up - 1, long(marks, 2, 4).slice(0, 9), labels, lines, fitted({ left: 0, right: 4400, bottom: 0, top: 1000 }), place(1), place(0.5), bottoms, cutter.map((of) => of.slice(1, 5).map((at) => Number(at.toFixed(2)))), table.filter((of) => of[1] < -300 || of[3] > 400).length],
-      [19, 10, ["0.9", "0.4", "0.4", "0.4", "0.6", "0.4", "0.4", "0.4", "0.9"], ["the ideal die", "2.250 by 1.125 inches", "0", "1", "2", "0", "1"], 1, 0.002,
+      [19, 10, ["0.9", "0.4", "0.4", "0.4", "0.6", "0.4", "0.4", "0.4", "0.9"], ["the ideal curve", "2.250 by 1.125 inches", "0", "1", "2", "0", "1", "the ideal ellipse", "the ideal circle"], 1, 0.002,
         [[9.5, 7], [10.5, 5]], [[9.5, 7], [10.5, 6]], ["7.12", "6.10", "4.10"], [[9, 6.5, 10, 7.5], [9, 6.95, 10, 7.05], [9.45, 6.5, 9.55, 7.5]], 0]];
   },
 };

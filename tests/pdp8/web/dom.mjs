@@ -224,7 +224,7 @@ export class Element extends Node {
   get value() {
     switch (this.localName) {
       case "select": return this.selectedOptions[0]?.value ?? "";
-      case "option": return this.getAttribute("value") ?? this.textContent.trim();
+      case "option": return this.getAttribute("value") ?? this.textContent.trim().replace(/\s+/g, " ");
       case "textarea": return this.held ?? this.textContent;
       case "input": return this.type === "range" ? this.#range : this.held ?? this.getAttribute("value") ?? (/checkbox|radio/.test(this.type) ? "on" : "");
       default: return this.getAttribute("value") ?? (this.localName === "button" ? "" : undefined);

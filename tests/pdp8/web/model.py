@@ -37,7 +37,7 @@ IDLE = """(() => {
   return !processor.run && bus.next_event(processor.clock) > 1e14;
 })()"""
 """The processor is stopped, and no device has anything to do."""
-WORKED = "workbench.machine.processor.core.some(Boolean)"
+WORKED = "workbench.machine.processor.core.some(Boolean) || workbench.machine.teletype.reader.loaded"
 NEWEST = 20
 """Tapes that a reload finds again."""
 STALE = Path(__file__).with_name("stale.mjs").read_text(encoding="utf-8")
@@ -191,7 +191,7 @@ class Model:
     def rename(self) -> None:
         if self.refuses or self.laid:
             return
-        name = f"{self.draw.choice(LETTERS).lower()}{self.draw.randrange(100)}.pal"
+        name = f"{self.draw.choice(LETTERS).lower()}  {self.draw.randrange(100)}.pal"
         if name in self.programs:
             return
         self._put("#program-name", name, "change")
@@ -310,11 +310,11 @@ class Model:
 
     def _drop(self) -> None:
         content = f"{self.draw.randrange(40)} 2\r\n"
-        self.page.evaluate("(content) => workbench.take(new File([content], 't.asc'))", content)
-        name, number = "t.asc", 1
+        self.page.evaluate("(content) => workbench.take(new File([content], 't  t.asc'))", content)
+        name, number = "t  t.asc", 1
         while name in self.tapes and self.dropped[name] != content:
             number += 1
-            name = f"t {number}.asc"
+            name = f"t  t {number}.asc"
         self.dropped[name] = content
         until(self.page, f"workbench.teletype.called() === {name!r}")
         self.tapes = [*(each for each in self.tapes if each != name), name]

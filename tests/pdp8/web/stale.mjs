@@ -51,6 +51,7 @@ window.stale = () => {
     drawn: [[...(afternoon.on ? [panel.canvas] : []), ...Object.values(teletype.sheets), mill.whole, mill.close, mill.reader].map(redrawn).indexOf(true), -1],
     mill: [["run-mill", "save-cut"].map((id) => at(id).disabled), [!mill.drawing, !mill.tape]],
     switches: [all("#computer .rocker").map((each) => Number(each.ariaChecked === "true")), [...Array(12).keys()].map((bit) => (processor.sr >> (11 - bit)) & 1)],
+    lamps: [panel.filaments.lit.get("ac").map(Math.round), [...Array(12).keys()].map((bit) => (ac >> (11 - bit)) & 1)],
     registers: [all("#registers input").map((each) => each.value), [link, ...[ac, processor.pc].map(octal)].map(String)],
     core: at("debugger").hidden ? [] : [all("#core td input").map((each) => each.value), [...processor.core.slice(workbench.core.first, workbench.core.first + 128)].map(octal)],
     breakpoints: [all("#gutter button").filter((each) => (each.ariaPressed === "true") !== here(each.value)).length, 0],

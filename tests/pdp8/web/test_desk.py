@@ -28,27 +28,7 @@ def _drop(page: Page, name: str, content: str) -> None:
     page.evaluate("([name, content]) => workbench.take(new File([content], name))", [name, content])
 
 
-def test_programs_are_kept_and_never_written_over(page: Page) -> None:
-    """By name, from visit to visit; a file of a taken name gets another, what is deleted comes back.
-
-    A browser that keeps nothing says so.
-    """
-    click(page, "#new-program")
-    page.locator("#program-name").fill("mine.pal")
-    page.locator("#program-name").press("Enter")
-    page.locator("#source").fill(HALT)
-    _reopened(page)
-    assert page.evaluate("[workbench.editor.name, workbench.editor.text]") == ["mine.pal", HALT]
-    _drop(page, "mine.pal", "*300\n\tHLT\n$\n")
-    until(page, "workbench.editor.name === 'mine 2.pal'")
-    page.evaluate("(text) => workbench.editor.put('mine.pal', text)", HALT)
-    assert page.evaluate("workbench.editor.name") == "mine.pal"
-    click(page, "#delete-program")
-    assert "mine.pal" not in page.evaluate("workbench.programs.names()")
-    click(page, "[data-click='editor.undo']")
-    _reopened(page)
-    kept = page.evaluate("['mine.pal', 'mine 2.pal'].map((name) => workbench.programs.get(name))")
-    assert kept == [HALT, "*300\n\tHLT\n$\n"]
+def test_a_browser_that_keeps_nothing_says_so(page: Page) -> None:
     page.add_init_script("Storage.prototype.setItem = () => { throw new Error('forbidden'); };")
     _reopened(page)
     assert "does not keep programs for this page (forbidden)" in page.locator("#program-says").inner_text()
@@ -65,14 +45,17 @@ _PASTED = """(length) => {
   const source = document.getElementById("source"), text = "A\\r\\n".repeat(length / 2);
   const pasted = new Event("paste", { cancelable: true });
   pasted.clipboardData = { getData: () => text };
-  source.setSelectionRange(1, 3);
+  if (source.id === "source") source.setSelectionRange(1, 3);
   source.dispatchEvent(pasted);
-  return [pasted.defaultPrevented, source.value.length, source.value.slice(0, 4), source.selectionStart];
+  return [pasted.defaultPrevented, source.value?.length, source.value?.slice(0, 4), source.selectionStart];
 }"""
 
 
 def test_a_long_text_is_pasted_at_once(page: Page) -> None:
-    """Where the selection was; a short one, or one that is dragged, by the browser, too long a one not."""
+    """Where the selection was; a short one, or one that is dragged, by the browser, too long a one not.
+
+    At the Teletype it is typed, with its line ends.
+    """
     assert [page.evaluate(_DRAGGED, kind) for kind in ("text/plain", "Files")] == [[True] * 2, [False] * 2]
     page.locator("#source").fill(HALT)
     assert page.evaluate(_PASTED, 1998) == [False, len(HALT), HALT[:4], 1]
@@ -83,6 +66,10 @@ def test_a_long_text_is_pasted_at_once(page: Page) -> None:
     assert [page.evaluate(put, length) for length in (200_000, 200_001)] == [None, False]
     page.evaluate("workbench.editor.lay('eia.pal')")
     assert not page.evaluate(_PASTED, 2000)[0]
+    for place in ("paper", "typed"):
+        page.evaluate(_PASTED.replace('("source")', f'("{place}")'), 2)
+        typed = page.evaluate("[...workbench.machine.teletype.keyboard.waiting]")
+        assert typed[-2:] == [0o301, 0o215], place
 
 
 _KEYS = """([text, ...pressed]) => {
@@ -598,6 +585,10 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     page.evaluate("workbench.machine.watch.breakpoints.add(0o210)")
     click(page, "#part-translate")
     assert page.evaluate("[String(workbench.clock.speed), workbench.time.kept.speed]") == ["Infinity", "1"]
+    until(page, "workbench.machine.teletype.punch.frames.length > 20")
+    click(page, "#play")
+    assert "Stopped: " in page.locator("#part-translated").inner_text()
+    click(page, "#part-translate")
     page.evaluate("workbench.time.setSpeed(300)")
     until(page, "!document.getElementById('part-cut').disabled")
     assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [], "it was another program's"

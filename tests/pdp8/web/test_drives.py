@@ -66,11 +66,19 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
         " p.deposit(0o10000 | p.pc, 0o7041); workbench.show(); }"
     )
     assert "7041 CIA" in page.locator("[data-register=next]").inner_text(), "in field 1"
+    click(page, "#enter", "#take")
+    until(page, "workbench.room.filaments.lit.get('ema')?.[0] === 1")
+    assert page.locator("#room .lamps").inner_text().startswith("EMA lit, memory address")
+    click(page, "#leave")
     page.locator("#source").fill("FIELD 1\n*300\n\tHLT\n$\n")
     click(page, "#run-it")
     until(page, "document.getElementById('next').textContent.includes('START begins at 10301')")
     page.locator("#save-as").select_option("rim")
     assert "a RIM tape can name only 0000 to 7777" in page.locator("#next").inner_text()
+    click(page, "[data-opens=debugger]")
+    page.locator("#page").select_option("33")
+    page.evaluate(_TAKEN, '{"format": "pdp8 state", "version": 2}')
+    until(page, "document.querySelector('#core th').textContent === '7600'")
 
 
 _WRITTEN = """async (act) => {

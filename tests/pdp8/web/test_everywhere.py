@@ -50,8 +50,8 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     assert tab.run("return document.querySelectorAll('#reader .name b').length") == 0
     drop(tab, "mine.eia", shelf.read_bundled("circle.eia"))
     tab.until("workbench.mill.name === 'mine.eia'")
-    drop(tab, "mine.pal", b"\xef\xbb\xbf*200\r\n\tHLT\r\n$\r\n")
-    tab.until("workbench.editor.name === 'mine.pal'")
+    drop(tab, "mine.p8", b"\xef\xbb\xbf*200\r\n\tHLT\r\n$\r\n")
+    tab.until("workbench.editor.name === 'mine.p8'")
     assert tab.run("return workbench.editor.text") == "*200\n\tHLT\n$\n"
     assert tab.run("return document.querySelector('#program').hidden") is False
     picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(255, 100, -1))

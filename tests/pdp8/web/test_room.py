@@ -116,7 +116,7 @@ def test_what_is_lit_is_the_machines(room: Page, circle: Afternoon, turn: int, p
         "Object.fromEntries([...workbench.room.filaments.lit].map(([name, bits]) =>"
         " [name, bits.reduce((word, bit) => word * 2 + Math.round(bit), 0)]))"
     )
-    assert lit == follower.machine.panel.lamps._asdict()
+    assert lit == follower.machine.panel.lamps._asdict() | {"ema": 0}
     assert room.evaluate("workbench.machine.processor.sr") == follower.machine.sr
 
 
@@ -206,8 +206,9 @@ def test_what_was_worked_at_is_there_afterwards(room: Page) -> None:
     click(room, "#hear", "#leave")
     assert room.evaluate("document.getElementById('sound').checked")
     click(room, "#sound")
-    room.evaluate("workbench.touch((machine) => { machine.load([[0o1000, 0o7402]]); machine.ac = 0o1234; })")
     room.evaluate("workbench.teletype.mount('hello.pal')")
+    click(room, "#enter", "#leave")
+    room.evaluate("workbench.touch((machine) => { machine.load([[0o1000, 0o7402]]); machine.ac = 0o1234; })")
     click(room, "#lever", "#punch-on", "#enter")
     assert room.locator("#hear").inner_text() == "Sound off"
     until(room, f"workbench.afternoon.on && ({_HELD})[1] !== 0o1234")

@@ -102,18 +102,22 @@ def test_the_panel_by_keyboard(page: Page) -> None:
     """At most twelve stops of the Tab key to the editor, a program assembled and all that can be done there.
 
     Digits go into the switches; S L D E C T press the keys that they name; MEM PROT keeps what is written.
-    The drill names the wrong switch, and at its end how long the visitor took, while the machine stood still.
+    The drill stops the machine and lets no CONT run it; it names the wrong switch, and at its end how long
+    the visitor took, while the machine stood still.
     """
     rocker, says = page.locator("#computer .rocker").first, page.locator("#drill-says")
     press = page.keyboard.type
-    click(page, "#assemble")
+    _load(page, "*200\n\tISZ 300\n\tJMP 200\n\tJMP 200\n$\n")
     rocker.focus()
     stops = 0
     while page.evaluate("document.activeElement.id") != "source":
         page.keyboard.press("Tab")
         stops += 1
         assert stops <= 12
-    click(page, "#card summary", "#drill")
+    click(page, "#run-it", "#card summary", "#drill")
+    assert _registers(page, "run") == [0]
+    click(page, "#play")
+    assert says.inner_text() == "LOAD ADD is next, not CONT"
     rocker.focus()
     press("7757l")
     assert "switch 11 should be down" in says.inner_text()
@@ -122,7 +126,7 @@ def test_the_panel_by_keyboard(page: Page) -> None:
     assert page.locator("#card .now").inner_text().startswith(f"{RIM[0]:04o}  DEP")
     page.wait_for_timeout(100)
     press("".join(f"{word:04o}d" for word in RIM))
-    done = re.match(r"Done in (.*) s, 1 mistake", says.inner_text())
+    done = re.match(r"Done in (.*) s, 2 mistakes", says.inner_text())
     assert done
     assert float(done[1]) >= 0.1
     press("7756le")
@@ -279,7 +283,7 @@ _ANEW = (
     "switches.press('stop')", "time.step({ value: 1 })", "time.step({ value: -1 })", "editor.load()",
     "editor.run()", "switches.card.toggle()", "drives.boot()", "time.toggle(); workbench.time.toggle()",
 )  # fmt: skip
-"""What ends a run to a goal."""
+"""What ends a run to a goal; all but the first and the last end a practice, too."""
 
 
 def test_run_until(page: Page) -> None:
@@ -314,6 +318,12 @@ def test_run_until(page: Page) -> None:
         assert page.evaluate(_WATCHED) == [0o377], "asked for again it is watched"
         page.evaluate(f"workbench.{act}")
         assert page.evaluate(_WATCHED) == [], act
+    for act in _ANEW[1:-1]:
+        page.evaluate(f"workbench.switches.card.practise(); workbench.{act}")
+        assert page.evaluate("workbench.switches.card.coach") is None, act
+    page.locator("#registers [aria-label=AC]").focus()
+    written = "(it) => { it.value = '12'; workbench.machine.ac = 0o777; workbench.show(); return it.value; }"
+    assert page.locator("#registers [aria-label=AC]").evaluate(written) == "12", "while it is written"
 
 
 @pytest.mark.parametrize("speed", ["1000 times slower", "100 times slower", "as in 1971", *_QUICK])
@@ -354,6 +364,12 @@ def test_a_wait_names_what_is_waited_for(page: Page) -> None:
     click(page, "#computer .enlarge")
     page.evaluate("workbench.mill.cut('circle.eia')")
     assert page.locator("#mill").is_visible()
+    page.evaluate("workbench.switches.press('stop'); workbench.time.choose({ value: 'character' });")
+    click(page, "#forward")
+    _says(page, "The program waits for a key at 0200.")
+    page.evaluate("workbench.machine.teletype.reader.lever(true); workbench.teletype.mount('circle.asc')")
+    click(page, "#forward")
+    assert page.evaluate("workbench.machine.teletype.reader.position") == 1, "the lever was thrown"
 
 
 def test_a_pane_alone(browser: Browser, file: Path, circle_page: Path) -> None:
