@@ -141,14 +141,16 @@ def set_core(monitor: Monitor, size: str) -> None:
 
 def greatest(machine: Machine, name: str) -> int:
     """Return the greatest value of a register in this machine's core."""
-    return min(REGISTERS[name], machine.memory - 1)
+    return min(REGISTERS.get(name, 7), machine.memory - 1)
 
 
 def value(machine: Machine, name: str) -> int:
-    """Return what is in a register. Raises MonitorError for one that this machine lacks."""
+    """Return what is in a register, or how a switch is. Raises MonitorError for one that is not there."""
     name = register(name)
     if name in REGISTERS:
         return int(getattr(machine, name))
+    if name in (*SWITCHES, *FIELDS):
+        return int(getattr(machine.panel, name))
     if machine.memory == FIELD:
         raise MonitorError(f"{name}: this machine has 4K of core, and no such register; set cpu 8k fits it")
     digits = [getattr(machine.processor.extension, part) >> 12 for part in EXTENSION[name]]
@@ -161,8 +163,9 @@ def register(name: str) -> str:
 
 
 def is_register(monitor: Monitor, name: str) -> bool:
-    """Tell whether a name is a register's, and no symbol's of the program."""
-    return register(name) in (*REGISTERS, *EXTENSION) and name.upper() not in monitor.listing.symbols
+    """Tell whether a name is a register's or a switch's, and no symbol's of the program."""
+    known = register(name) in (*REGISTERS, *EXTENSION, *SWITCHES, *FIELDS)
+    return known and name.upper() not in monitor.listing.symbols
 
 
 def registers(monitor: Monitor) -> None:
