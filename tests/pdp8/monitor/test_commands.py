@@ -135,10 +135,12 @@ def test_a_session_keeps_its_settings_with_another_machine_or_device() -> None:
     monitor = Monitor(said.append)
     do(monitor, "load hello.pal", "set hands 0.5", "break 205", "watch 300", "save s")
     do(monitor, "go 200 3", "forget 205")
+    monitor.machine.teletype.printer.on_frame = print
 
     def kept() -> list[object]:
-        watch = monitor.machine.watch
-        return [monitor.operator.pace, monitor.listing, monitor.dialect, watch.breakpoints, watch.writes]
+        machine, watch = monitor.machine, monitor.machine.watch
+        own = [monitor.operator.pace, monitor.listing, monitor.dialect, machine.teletype.printer.on_frame]
+        return [*own, watch.breakpoints, watch.writes]
 
     before = kept()
     do(monitor, "page", "set df enabled", "page more")
