@@ -31,7 +31,7 @@ FOUND = {  # on people's disks, and what is said of each
     bytes(40) + BODY + bytes(40): "40 blank frames instead of leader, passed over",
     TITLE + LEADER + BODY + LEADER: "a label of 7 frames from frame 0 on, left out",
     LEADER + TITLE + LEADER + BODY + LEADER: "a label of 7 frames from frame 32 on, left out",
-    LEADER + BODY + LEADER + b"\x1a": "a label of 1 frame from frame 72 on, left out",
+    LEADER + BODY + LEADER + b"\x15": "a label of 1 frame from frame 72 on, left out",
     GROUPS: "no leader",
     bytes(20) + GROUPS + bytes(20): "20 blank frames instead of leader, passed over",
     b"102\r\n000\r\n070\r\n001\r\n074\r\n002\r\n103\r\n000\r\n000\r\n000\r\n": "octal frames, one a line",
