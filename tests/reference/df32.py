@@ -129,7 +129,8 @@ class Model:
                     self.skip |= passes(at, now - PLACE) <= now
             case (0o61, 4) if word & 2:
                 photocell = 0o4000 if -now % TURN <= 6 * WORD else 0
-                self.ac |= photocell | self.extension << 6 | self.field << 3 | self.errors
+                missing = 2 if self.extension >> 3 >= len(self.words) // DISC else 0
+                self.ac |= photocell | self.extension << 6 | self.field << 3 | missing | self.errors
             case (0o61, 4):
                 self.extension |= self.ac >> 6 & 0o37
                 self.field |= self.ac >> 3 & 7

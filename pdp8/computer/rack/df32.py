@@ -19,8 +19,9 @@ count as one number of 17 bits. The disc turns since power-up.
 Eight switches WLS lock 16,384 words each. Data late: a break was not taken before the next word.
 
 By convention: the interleaving by four, which 33 ms a turn and 66 µs a word demand; the photocell is seen
-before word 0, during six words; a word to write is asked for one word ahead; a locked or missing disc is
-found at the word. Not emulated: parity errors.
+before word 0, during six words; a word to write is asked for one word ahead; a locked or missing disc is an
+error at the word. DEAC names a missing one as soon as the extension does: so DEC's MAINDEC-08-D5DB counts the
+discs. Not emulated: parity errors.
 
 Sources: Small Computer Handbook 1970 (66 µs, 16.67 ms on average); SIMH PDP8/pdp8_df.c (pulses, status, WLS,
 the address after a write); fpw/SoCDP8 df32.vhd (which digit does what).
@@ -116,7 +117,8 @@ class DF32(BreakDevice):
             return CLEAR_AC if iot & 4 else SKIP if _comes(self.at, now - PLACE) <= now else 0
         elif iot & 2:
             photocell = 0o4000 if -now % _TURN <= _PHOTOCELL else 0
-            return photocell | self.at >> 6 & 0o3700 | self.field >> 9 | self.status
+            missing = REFUSED if self.at >= len(self.words) else 0
+            return photocell | self.at >> 6 & 0o3700 | self.field >> 9 | missing | self.status
         else:
             self.at |= (ac & 0o3700) << 6
             self.field |= (ac & 0o70) << 9

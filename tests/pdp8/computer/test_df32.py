@@ -86,3 +86,20 @@ def lockstep(seed: int) -> int:
 
 def test_both_do_the_same_at_every_tick() -> None:
     assert sum(map(lockstep, range(30))) > 50
+
+
+def test_deac_names_a_missing_disc_before_any_word_is_asked_for() -> None:
+    """So MAINDEC-08-D5DB counts the discs: DEAL with 0000, 1000, 2000, 3000, and DEAC after each."""
+    for discs in range(1, 5):
+        machine = Machine()
+        control = DF32()
+        machine.fit(control)
+        control.content = bytes(2 * DISC * discs)
+        found = []
+        for disc in range(4):
+            machine.load({0o200: 0o7604, 0o201: 0o6615, 0o202: 0o7200, 0o203: 0o6616, 0o204: 0o7402})
+            machine.sr = disc << 9
+            machine.start(0o200)
+            machine.run(1)
+            found.append(machine.ac >> 1 & 1)
+        assert found == [int(disc >= discs) for disc in range(4)]

@@ -1,4 +1,4 @@
-"""DEC's own tests of DECtape and of memory extension, on our machine.
+"""DEC's own tests of DECtape, of memory extension and of the DF32, on our machine.
 
 Their tapes are DEC's and not here: PDP8_MAINDEC=FOLDER names a folder with those of docs/rack.md.
 """
@@ -14,6 +14,7 @@ from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.hardware.extension import MEMORY
 from pdp8.computer.hardware.teletype import Teletype
 from pdp8.computer.machine import Machine
+from pdp8.computer.rack.df32 import DF32
 from tapes import binary
 from tapes.dectape import BLOCKS, WORDS, Image
 
@@ -51,6 +52,7 @@ TESTS = [
     Maindec("08-d1gb", 0o200, [0o17], 160, "\a\a\a", size="32k"),
     Maindec("08-d1gd", 0o200, [0o17], 600, "\a\a", size="32k"),
     *(Maindec(tape, 0o200, [0], 120, LIMITS, size="8k") for tape in ("08-d1eb", "08-d1ec", "08-d1ha")),
+    Maindec("08-d5db", 0o150, [0], 600, "1 EXISTENT DISK(S)"),
 ]
 
 
@@ -69,13 +71,14 @@ def type_slowly(m: Machine, keys: str) -> None:
 @pytest.mark.slow("minutes of 1971")
 @pytest.mark.parametrize("test", TESTS, ids=[f"{test.tape}-{test.start:o}" for test in TESTS])
 def test_dec_finds_no_fault(test: Maindec) -> None:
-    path = TAPES / f"maindec-{test.tape}-pb.bin"
+    path = TAPES / f"maindec-{test.tape}-pb"
+    path = path if path.exists() else path.with_suffix(".bin")
     if not (os.environ.get("PDP8_MAINDEC") and path.exists()):
         pytest.skip("PDP8_MAINDEC=FOLDER names DEC's tapes")
     control = TC08()
     for drive in control.drives[:4]:
         drive.mount(Image(array("H", [0] * (BLOCKS * WORDS))))
-    m = Machine([Teletype(), control], MEMORY[test.size])
+    m = Machine([Teletype(), control, DF32()], MEMORY[test.size])
     m.load(binary.decode(path.read_bytes()).words)
     m.panel.sr = test.switches[0]
     m.start(test.start)
