@@ -125,15 +125,6 @@ export const cases = {
     made.enter();
     return [made.playing, false];
   },
-  "at the story's end it plays from its first act": async () => {
-    const made = await room();
-    made.enter();
-    made.go({ value: 7 });
-    made.tour.wall = 1000;
-    made.playing = false;
-    made.toggle();
-    return [made.tour.turn, 1];
-  },
   "an act's last tick is its own, the next is not": async () => {
     const { tour } = await room().then((made) => (made.enter(), made));
     const { ends } = tour.day.acts[1];
@@ -197,28 +188,6 @@ export const cases = {
     const shelf = new (await get("bench/shelf")).Shelf({ "u.asc": "A" });
     const names = [...Array.from({ length: 25 }, (_, at) => shelf.put("t.asc", [at])), shelf.put("t.asc", [7]), shelf.put("u.asc", [0o101])]; // two are there
     return [[shelf.kept.map(([name]) => name), names.pop()], [[...names.slice(5, 7), ...names.slice(8)], "u.asc"]];
-  },
-  "a play that is dragged goes on, one that stood stands": async () => {
-    const made = Object.assign(await afternoon(), { go: nothing });
-    const seen = [true, false, true].map((on) => {
-      made.play(on);
-      for (const value of [1, 2]) made.drag({ value });
-      const waits = !made.playing;
-      made.drop();
-      return [waits, made.playing];
-    });
-    return [seen, [[true, true], [true, false], [true, true]]];
-  },
-  "a play at the afternoon's end begins anew": async () => {
-    const made = await afternoon();
-    made.play(true);
-    return [[made.playing, made.script.now], [true, 0]];
-  },
-  "a speed is measured anew": async () => {
-    const clock = new (await get("bench/clock")).Clock({}, nothing);
-    clock.measured = 17;
-    clock.speed = 1;
-    return [clock.kept, ""];
   },
   "Run mills from the beginning once all is milled": async () => {
     const { Mill } = await get("bench/mill");

@@ -68,6 +68,7 @@ export class Context {
   ellipse(x, y, wide, high) { this.rect(x - wide, y - high, 2 * wide, 2 * high); }
   fill() { this.add(); this.note("fill", this.path); }
   clip() { this.add(); this.clips += 1; }
+  strokeRect() { this.lines += 1; }
   stroke(path) { if (!path) this.add(); checked(this.lineWidth); this.lines += 1; }
   fillRect(...given) { this.note("fillRect", this.corners(...given)); }
   clearRect(...given) { this.corners(...given); }
