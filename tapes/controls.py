@@ -15,7 +15,7 @@ from tapes.hydrapoint import DIGITS
 
 _WORDS = re.compile(r"[/%]?(?:[:A-Z]\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*)+(?:\([^)]*\))?%?")
 _NAMES = re.compile(r"[NGXYZFMST]")
-_SEQUENTIAL = re.compile(r"[-+.\d ]*\d[-+.\d ]*\t[-+.\d\t ]*")
+_SEQUENTIAL = re.compile(r"(?=[-+. ]*\d)[-+.\d ]*\t[-+.\d\t ]*")
 _SHARE = 2 / 3
 
 
