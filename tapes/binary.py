@@ -236,12 +236,19 @@ def find_apart(frames: bytes, labels: tuple[range, ...]) -> int | None:
         return None
     at = len(frames[: label.start].rstrip(bytes([LEADER])))
     while (start := frames.find(LEAST_LEADER, at)) != -1:
-        items, at, damage = _items(frames, skip(frames, start, LEADER), [])
-        if damage is None and items[0].kind != WORD:
-            section = _close(items)
-            if section.computed == section.punched:
-                return start
+        good, at = good_section(frames, start)
+        if good:
+            return start
     return None
+
+
+def good_section(frames: bytes, start: int) -> tuple[bool, int]:
+    """Return whether a section with a good checksum begins at the leader of frame `start`, and its end."""
+    items, end, damage = _items(frames, skip(frames, start, LEADER), [])
+    if damage is not None or items[0].kind == WORD:
+        return False, end
+    section = _close(items)
+    return section.computed == section.punched, end
 
 
 def _is_label(frames: bytes, at: int, items: list[Item], wrong: int) -> bool:

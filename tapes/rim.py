@@ -112,10 +112,10 @@ def _read_from(frames: bytes, start: int) -> Reading:
             letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
             if letters and not words:
                 labels.append(letters)
-            trailer = words and after - at >= len(LEAST_LEADER)
-            at = skip(frames, after, BLANK)
-            apart = binary.find_apart(frames, (range(at, len(frames)),)) if trailer else None
-            if apart is not None and apart <= at:
+            behind = skip(frames, after, BLANK)
+            begins = behind if frames[behind : behind + 1] == bytes([LEADER]) else at
+            if words and after - at >= len(LEAST_LEADER) and binary.good_section(frames, begins)[0]:
+                apart = begins
                 gaps.append(f"a good BIN section from frame {apart} on: a tape of its own, left out")
                 break
             at = after
