@@ -205,15 +205,24 @@ class Reels:
         return self.places[device].save(name)
 
     def rescue(self) -> Iterator[str]:
-        """Save each changed reel, and changed discs, beside their file; yield a message for each."""
+        """Save each changed reel, and changed discs, beside their file or in the temporary folder; yield a
+        message for each. Raises WorkError for those that cannot be saved, after the others.
+        """
+        lost: list[str] = []
         for place in self.mounted():
             if written := self.said(place.device):
+                name = os.path.basename(place.file)
                 try:
                     said = self.save(place.device, _free(place.file))
                 except WorkError:
-                    name = os.path.basename(place.file)
-                    said = self.save(place.device, _free(os.path.join(tempfile.gettempdir(), name)))
+                    try:
+                        said = self.save(place.device, _free(os.path.join(tempfile.gettempdir(), name)))
+                    except WorkError as error:
+                        lost.append(f"{written}, and not saved: {error}")
+                        continue
                 yield f"{written}, and not saved: {said}"
+        if lost:
+            raise WorkError("; ".join(lost))
 
 
 def device(text: str) -> str:

@@ -133,6 +133,13 @@ def test_what_was_saved_is_not_changed_until_it_is_written_again(monitor: Monito
         assert monitor.reels.places[device].changed() == 0
     do(monitor, "restore bare.state")
     assert (reel.drive.read(5, 7), discs.control.words[9]) == (2, 2)
+    reel.drive.write(5, 7, 3)
+    discs.control.words[9] = 3
+    with patch.object(shelf, "write", failing(2)):  # beside the first reel, and in the temporary folder
+        rescued = monitor.reels.rescue()
+        assert next(rescued).startswith("df: ")
+        with pytest.raises(WorkError, match=r"drive 0: .*No space left"):
+            next(rescued)
 
 
 @pytest.mark.parametrize(
