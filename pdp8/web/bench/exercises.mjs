@@ -173,7 +173,7 @@ export class Exercises {
   }
 
   async link() {
-    const { name, bench } = this;
-    bench.give(Object.hasOwn(bench.record.exercises, name) ? `#exercise=${name}` : await linked({ exercise: { name, tables: this.all.get(name) } }, ""));
+    const { name, bench } = this, tables = this.all.get(name);
+    bench.give(bench.record.exercises[name] === tables ? `#exercise=${name}` : await linked({ exercise: { name, tables } }, ""));
   }
 }

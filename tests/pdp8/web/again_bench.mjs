@@ -233,6 +233,13 @@ export const cases = {
       [{}, { ac: 5, punch: { $tape: ["a.bin", 4, 11] } }, { punch: ["007", "006"], deep: { on: 0 } }],
       ["002 003"], ["007", "006"], "no tape c.bin is bundled", ["is", "has"], { exercise: "add up" }, null]];
   },
+  "an exercise has a bundled one's link if it is that one": async () => {
+    const { Exercises } = await get("bench/exercises");
+    const exercises = { add: {} }, given = [];
+    const made = Object.assign(Object.create(Exercises.prototype), { name: "add", bench: { record: { exercises }, give: (link) => given.push(link.slice(0, 3)) } });
+    for (made.all of [new Map(Object.entries(exercises)), new Map([["add", {}]])]) await made.link();
+    return [given, ["#ex", "#s="]];
+  },
   "work apart ends all that is asked when it is late, and begins anew": async () => {
     const { Apart, serve } = await get("bench/apart");
     const apart = new Apart();
