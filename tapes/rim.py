@@ -71,6 +71,14 @@ class Reading(NamedTuple):
     end: int = 0
 
 
+def starts_itself(words: Mapping[int, int]) -> int | None:
+    """Return the last word of a tape if it is a JMP within the RIM loader, 7756-7776, which then goes on by
+    it; else None.
+    """
+    last = [*words][-1] if words else 0
+    return last if last in _LOADER and words[last] >> 9 == _JMP else None
+
+
 def decode(frames: bytes) -> dict[int, int]:
     """Return {address: word}, the later where an address comes twice. Raises TapeError, naming the frame."""
     reading = read(frames)
@@ -173,6 +181,8 @@ def _fault(frames: bytes, at: int, first: int) -> TapeError | None:
     return None
 
 
+_LOADER = range(0o7756, 0o7777)
+_JMP = 5
 _AT_THE_END = PADDING + bytes([LEADER])
 _EXPECTED = (
     "the first half of an address",

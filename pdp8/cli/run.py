@@ -221,7 +221,7 @@ class _Run:
         if self.mounted:
             self.mounted.look_at(self.machine.devices)
         self.feed = self._feed()
-        if self.found or "start" in explicit:
+        if "start" in explicit or (self.found and not self.machine.panel.lamps.run):
             self.machine.start(options.start)
         elif self.mounted and options.restore is None:
             from pdp8.computer.use import bootstrap
@@ -291,9 +291,10 @@ class _Run:
                 self._boot(machine, found)
             else:
                 machine.load(found.words)
-            if options.force or not options.quiet:
+            itself = machine.panel.lamps.run
+            if (options.force or not options.quiet) and not itself:
                 command.say_of(found.name, found.notes)
-            if not options.quiet:
+            if not (options.quiet or itself):
                 command.say_of(found.name, found.notes_on(options.start, "--start"))
         return machine
 
@@ -334,7 +335,7 @@ class _Run:
             total += step.seconds
             if not options.quiet:
                 command.say(str(step))
-        if not options.quiet:
+        if total and not options.quiet:
             command.say(f"loaded in {duration(total)} of tape; switches and keys not counted")
 
     def _feed(self) -> Feed:
@@ -343,7 +344,9 @@ class _Run:
         used = self.paged or options.restore is not None or "-" in (options.program, options.fast_reader)
         names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
         feed = Feed(machine.teletype.reader, names, options.quiet)
-        if not feed.next_tape() and options.restore is None:
+        if options.boot and machine.panel.lamps.run:
+            pass  # the program's tape is still to be read
+        elif not feed.next_tape() and options.restore is None:
             machine.teletype.reader.load(b"")
         if options.fast_reader is not None:
             machine.highspeed.reader.load(shelf.read(options.fast_reader))

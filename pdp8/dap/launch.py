@@ -94,9 +94,10 @@ class Launch:
         set_(monitor, "sr", self.sr)
         for line in self.commands:
             do(monitor, line)
-        monitor.machine.panel.stop()
-        monitor.machine.pc = monitor.address(self.start)
-        monitor.operator.press("start")
+        if not (self.boot and monitor.machine.panel.lamps.run):  # a tape may start itself
+            monitor.machine.panel.stop()
+            monitor.machine.pc = monitor.address(self.start)
+            monitor.operator.press("start")
         return monitor, found
 
 

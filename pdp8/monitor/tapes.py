@@ -45,9 +45,12 @@ def boot(monitor: Monitor, name: str, *force: str) -> None:
     unread = in_reader.tape if in_reader.loaded and in_reader.position == 0 else b""
     for step in monitor.operator.boot(loader, found.tape, name, forced):
         monitor.say(str(step))
+    monitor.listing = found.listing
+    if monitor.machine.panel.lamps.run:  # the tape is still to be read
+        monitor.say("run goes on")
+        return
     if unread:
         monitor.operator.mount("what was in the reader", unread)
-    monitor.listing = found.listing
     _say_notes(monitor, found)
 
 

@@ -207,15 +207,22 @@ class Operator:
         self, loader: bytes, program: bytes, name: str = "program", force: bool = False
     ) -> Iterator[Loading]:
         """Load `program`, a BIN or RIM tape, from cold by `loader`, BIN's RIM tape; yield each step. Raises
-        LoadError if a loader fails; `force` accepts a wrong checksum or a missing end.
+        LoadError if a loader fails; `force` accepts a wrong checksum or a missing end. A tape that starts
+        itself is left in the reader, and RIM running.
         """
         self.panel.stop()
         self.panel.mem_prot = self.panel.sing_step = False
         self.panel.inst_field = self.panel.data_field = 0
         self._thrown = NEVER
         yield Loading("RIM loader toggled in", sum(1 for _ in self.toggle(RIM_START, RIM)))
+        by_rim = codes.recognise(program) is codes.RIM
+        if by_rim and rim.starts_itself(_rim_content(program)[1]) is not None:
+            self.mount(name, program)
+            self.begin(RIM_START)
+            yield Loading(f"{name} into the reader, to be read by RIM; it starts itself", 2)
+            return
         yield self.read_rim(loader, "BIN loader")
-        if codes.recognise(program) is codes.RIM:
+        if by_rim:
             yield self.read_rim(program, name)
         else:
             yield self.read_bin(program, name, force)

@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 FOUND, PAL3, PAL8 = "auto", "pal3", "pal8"
 DIALECTS = (FOUND, PAL3, PAL8)
 """Dialects, as `pal.assembly` calls them, which is loaded for a source alone."""
-_RIM_LOADER = range(0o7756, 0o7777)
 _SHOWN = 3
 """Errors of a source that are shown."""
 
@@ -152,10 +151,10 @@ def _loaded(frames: bytes, name: str, code: Words, force: bool, memory: int) -> 
     if damage and not force:
         raise damage
     notes = [f"{damage}; loaded as far as it can be read"] if damage else []
-    replaced = [address for address in words if address in _RIM_LOADER]
-    if code is codes.RIM and 0 < len(replaced) < len(_RIM_LOADER):
-        itself = f"{replaced[0]:04o} is in the RIM loader: read by it, the tape starts itself"
-        notes.append(f"{itself}; `boot tti` in `pdp8 monitor` does so, with the tape in the reader")
+    replaced = rim.starts_itself(words) if code is codes.RIM else None
+    if replaced is not None:
+        itself = f"{replaced:04o} is in the RIM loader: read by it, the tape starts itself"
+        notes.append(f"{itself}, as by `pdp8 run --boot`")
     return Program(name, code, words, frames, (*notes, *code.left_out(frames)))
 
 
