@@ -308,16 +308,13 @@ def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int
         elif frame >> 6 == 3:
             items.append(Item(FIELD, frame >> 3 & 7, at))
             at += 1
-        elif _closes(frames, at, items):
-            items.append(Item(WORD, _together(frames, at), at))
-            begun = summed = True
-            at += 2
         else:
             damage = _fault(frames, at)
-            if damage:
+            closes = damage is not None and _closes(frames, at, items)
+            if damage and not closes:
                 return items, damage.frame or 0, damage
-            items.append(Item(ORIGIN if frame >> 6 else WORD, (frame & 0o77) << 6 | frames[at + 1], at))
-            begun, summed = True, not frame >> 6
+            items.append(Item(WORD if closes or not frame >> 6 else ORIGIN, together(frames, at), at))
+            begun, summed = True, items[-1].kind == WORD
             at += 2
     end = items[-1].frame + 2 if items else at
     if begun and not summed and end < at and not frames[end:].strip(bytes([LEADER])):
@@ -332,8 +329,12 @@ def _close(items: list[Item]) -> Section:
         last -= 1
     _, punched, frame = items[last]
     summed = items[:last]
-    computed = sum(_frames_of(kind, value) for kind, value, _ in summed)
-    return Section(tuple(summed), computed & 0o7777, punched, frame)
+    return Section(tuple(summed), _sum(summed), punched, frame)
+
+
+def _sum(items: Iterable[Item]) -> int:
+    """Return the checksum of items."""
+    return sum(_frames_of(kind, value) for kind, value, _ in items) & 0o7777
 
 
 def _closes(frames: bytes, at: int, items: list[Item]) -> bool:
@@ -342,10 +343,10 @@ def _closes(frames: bytes, at: int, items: list[Item]) -> bool:
     """
     if frames[at + 2 : at + 3] != bytes([LEADER]) or not 0o77 < frames[at + 1] < LEADER:
         return False
-    return _together(frames, at) == sum(_frames_of(kind, value) for kind, value, _ in items) & 0o7777
+    return together(frames, at) == _sum(items)
 
 
-def _together(frames: bytes, at: int) -> int:
+def together(frames: bytes, at: int) -> int:
     """Return the word that DEC's loader makes of two frames: it shifts the first, and adds the second."""
     return (frames[at] << 6) + frames[at + 1] & 0o7777
 

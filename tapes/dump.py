@@ -155,11 +155,16 @@ def _by_leader(numbers: list[str], lines: int) -> str:
     line; or "".
     """
     for notation, base, most in ("octal", 8, 4), ("decimal", 10, 3), ("hexadecimal", 16, 2):
-        if all(is_number(number, base, 1, most) and int(number, base) < 1 << 8 for number in numbers):
+        if _are_frames(numbers, base, most):
             octal = lines == len(numbers) and {len(number) for number in numbers} == {4}
             if octal or {int(number, base) for number in numbers[:2]} == {LEADER}:
                 return notation
     return ""
+
+
+def _are_frames(numbers: list[str], base: int, most: int) -> bool:
+    """Whether each number, of at most so many digits, is a frame."""
+    return all(is_number(number, base, 1, most) and int(number, base) < 1 << 8 for number in numbers)
 
 
 def _notation(numbers: list[str], words: bool, listed: bool) -> str:
@@ -174,7 +179,7 @@ def _notation(numbers: list[str], words: bool, listed: bool) -> str:
         return "octal"
     if all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
         return "octal words"
-    if listed and all(is_number(number, 10, 1, 3) and int(number) < 1 << 8 for number in numbers):
+    if listed and _are_frames(numbers, 10, 3):
         return "decimal"
     if not all(is_number(number, 16, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
         return ""

@@ -131,7 +131,7 @@ def starts(frames: bytes) -> list[int]:
 
 
 def _is_title(frames: bytes) -> bool:
-    """Tell whether frames before a leader are a line or two of characters, or a file that ends with ^Z."""
+    """Whether frames before a leader are a line or two of characters, or a file that ends with ^Z."""
     text = frames.strip(_NO_LETTERS)
     ended = text.endswith(_END_OF_FILE)
     return (ended or _lines(text) <= _MOST_LINES) and not text.strip(_END_OF_FILE).translate(None, WRITING)
@@ -199,9 +199,9 @@ def draw_label(frames: bytes, columns: int = 72) -> list[str]:
     if b"\r\n" in text and not text.translate(None, WRITING):
         return [line for line in text.translate(None, _SILENT).decode("ascii").split("\r\n") if line]
     holes = frames.strip(bytes([BLANK]))
-    rows: list[str] = []
     if len(holes) > LONGEST_LABEL:
-        return rows
+        return []
+    rows = []
     for start in range(0, len(holes), columns):
         piece = holes[start : start + columns]
         lines = ("".join("o" if frame >> channel & 1 else " " for frame in piece) for channel in range(8))

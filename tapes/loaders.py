@@ -176,7 +176,7 @@ class _Bin(Words):
                 end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
             elif frame < LEADER and end < len(frames) and frames[end] < 0o100 << last(end + 1):
-                value = ((frame & 0o77) << 6) + frames[end] & 0o7777
+                value = binary.together(frames, at)
                 end += 1
                 if frame >> 6 and frames[end - 1] < 0o100:
                     caption, address = f"origin {value:04o}", value

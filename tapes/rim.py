@@ -72,8 +72,8 @@ class Reading(NamedTuple):
 
 
 def starts_itself(words: Mapping[int, int]) -> int | None:
-    """Return the last word of a tape if it is a JMP within the RIM loader, 7756-7776, which then goes on by
-    it; else None.
+    """Return the address of a tape's last word if it puts a JMP into the RIM loader, 7756-7776, which then
+    obeys it; else None.
     """
     last = [*words][-1] if words else 0
     return last if last in _LOADER and words[last] >> 9 == _JMP else None
@@ -113,19 +113,20 @@ def _read_from(frames: bytes, start: int) -> Reading:
     labels = [*label_before(frames, start)]
     gaps: list[str] = []
     damage: TapeError | None = None
-    apart: int | None = None
+    apart = False
     while at < len(frames):
         if frames[at] >= LEADER:
             after = _passed_over(frames, at)
             letters = range(skip(frames, at, LEADER), len(frames[:after].rstrip(bytes([LEADER]))))
             if letters and not words:
                 labels.append(letters)
-            behind = skip(frames, after, BLANK)
-            begins = behind if frames[behind : behind + 1] == bytes([LEADER]) else at
-            if words and after - at >= len(LEAST_LEADER) and binary.good_section(frames, begins)[0]:
-                apart = begins
-                gaps.append(f"a good BIN section from frame {apart} on: a tape of its own, left out")
-                break
+            if words and after - at >= len(LEAST_LEADER):
+                behind = skip(frames, after, BLANK)
+                begins = behind if frames[behind : behind + 1] == bytes([LEADER]) else at
+                apart, _ = binary.good_section(frames, begins)
+                if apart:
+                    gaps.append(f"a good BIN section from frame {begins} on: a tape of its own, left out")
+                    break
             at = after
             continue
         data = _passed_over(frames, at + 2)
@@ -145,7 +146,7 @@ def _read_from(frames: bytes, start: int) -> Reading:
             break
         gaps.append(f"{counted(after - at, 'blank frames')} from frame {at} on, passed over")
         at = after
-    ended = damage is not None or apart is not None or label_after(frames, tuple(labels)) is not None
+    ended = damage is not None or apart or label_after(frames, tuple(labels)) is not None
     notes = (*missing_leader(frames, start), *gaps, *([] if ended else _ending(frames[end:])))
     return Reading(words, damage, tuple(labels), notes, start, skip(frames, end, LEADER))
 
