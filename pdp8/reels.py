@@ -211,18 +211,21 @@ class Reels:
         lost: list[str] = []
         for place in self.mounted():
             if written := self.said(place.device):
-                name = os.path.basename(place.file)
                 try:
-                    said = self.save(place.device, _free(place.file))
-                except WorkError:
-                    try:
-                        said = self.save(place.device, _free(os.path.join(tempfile.gettempdir(), name)))
-                    except WorkError as error:
-                        lost.append(f"{written}, and not saved: {error}")
-                        continue
-                yield f"{written}, and not saved: {said}"
+                    said = self._save_beside(place)
+                except WorkError as error:
+                    lost.append(f"{written}, and not saved: {error}")
+                else:
+                    yield f"{written}, and not saved: {said}"
         if lost:
             raise WorkError("; ".join(lost))
+
+    def _save_beside(self, place: Reel | Discs) -> str:
+        try:
+            return self.save(place.device, _free(place.file))
+        except WorkError:
+            name = os.path.basename(place.file)
+            return self.save(place.device, _free(os.path.join(tempfile.gettempdir(), name)))
 
 
 def device(text: str) -> str:

@@ -244,7 +244,7 @@ def read_text(name: str, most: int = LARGEST) -> str:
 
 
 def is_json(content: bytes) -> bool:
-    """Tell whether a file is JSON, as a saved state is, by the brace with which it begins."""
+    """Whether a file is JSON, as a saved state is, by the brace with which it begins."""
     return without_mark(content).lstrip().startswith(b"{")
 
 

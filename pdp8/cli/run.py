@@ -291,11 +291,11 @@ class _Run:
                 self._boot(machine, found)
             else:
                 machine.load(found.words)
-            itself = machine.panel.lamps.run
-            if (options.force or not options.quiet) and not itself:
-                command.say_of(found.name, found.notes)
-            if not (options.quiet or itself):
-                command.say_of(found.name, found.notes_on(options.start, "--start"))
+            if not machine.panel.lamps.run:  # else its tape starts itself
+                if options.force or not options.quiet:
+                    command.say_of(found.name, found.notes)
+                if not options.quiet:
+                    command.say_of(found.name, found.notes_on(options.start, "--start"))
         return machine
 
     def _restored(self, name: str, fitted: Sequence[Peripheral]) -> Machine:
@@ -344,9 +344,8 @@ class _Run:
         used = self.paged or options.restore is not None or "-" in (options.program, options.fast_reader)
         names = list(options.reader) or ([] if used or sys.stdin.isatty() else ["-"])
         feed = Feed(machine.teletype.reader, names, options.quiet)
-        if options.boot and machine.panel.lamps.run:
-            pass  # the program's tape is still to be read
-        elif not feed.next_tape() and options.restore is None:
+        waits = options.boot and machine.panel.lamps.run  # the program's tape is still to be read
+        if not (waits or feed.next_tape() or options.restore is not None):
             machine.teletype.reader.load(b"")
         if options.fast_reader is not None:
             machine.highspeed.reader.load(shelf.read(options.fast_reader))

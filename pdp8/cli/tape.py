@@ -88,13 +88,18 @@ def _mended(content: bytes, values: dict[int, int]) -> bytes:
 
 def _say_short(file: str, last: int | None, content: bytes) -> None:
     """Say that a tape ends before the frame that --to names."""
-    beyond = last is not None and last >= len(content)
-    command.say_of(file, [f"--to {last}: the last frame is {len(content) - 1}"] * beyond)
+    if last is not None and (said := _beyond("--to", last, content)):
+        command.say_of(file, [said])
 
 
 def _check_last(option: str, frame: int, content: bytes) -> None:
-    if frame >= len(content):
-        raise click.UsageError(f"{option} {frame}: the last frame is {len(content) - 1}")
+    if said := _beyond(option, frame, content):
+        raise click.UsageError(said)
+
+
+def _beyond(option: str, frame: int, content: bytes) -> str:
+    """Say that a tape lacks the frame that an option names; "" if it has it."""
+    return f"{option} {frame}: the last frame is {len(content) - 1}" * (frame >= len(content))
 
 
 def _say_accepted(file: str, content: bytes, code: Code) -> None:

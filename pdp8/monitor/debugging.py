@@ -163,7 +163,7 @@ def register(name: str) -> str:
 
 
 def is_register(monitor: Monitor, name: str) -> bool:
-    """Tell whether a name is a register's or a switch's, and no symbol's of the program."""
+    """Whether a name is a register's or a switch's, and no symbol's of the program."""
     known = register(name) in (*REGISTERS, *EXTENSION, *SWITCHES, *FIELDS)
     return known and name.upper() not in monitor.listing.symbols
 
