@@ -64,7 +64,7 @@ def number(value: float) -> str:
 
 
 def signed(divisions: int, unit: Unit) -> str:
-    """Return an error of so many small divisions as the scale of a graph shows it."""
+    """Return an error, in small divisions, as the scale of a graph shows it."""
     return f"{divisions * unit.small:+.{unit.places}f}" if divisions else "0"
 
 

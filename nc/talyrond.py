@@ -65,7 +65,7 @@ class _Graph:
     def _title(self) -> None:
         worst, unit = self.inspection.worst, self.unit
         cutter = f"cutter {unit.size(self.inspection.cutter)} {unit.name}"
-        small = f"small division {f'{unit.small:g}'.lstrip('0')} {unit.name}"
+        small = f"small division {unit.named_division} {unit.name}"
         scale = f"radial magnification {self.magnification}, centre suppressed · {small}"
         peak = f"worst trough to peak {unit.error(worst.trough_to_peak)} {unit.name}"
         rough = f"{peak}: {worst.wall} wall, {worst.place}"

@@ -59,7 +59,7 @@ def talysurf(
         sheet.text(_LEFT, top - 10, f"{wall} wall, trough to peak {rough}", fill=COLOURS[wall])
         _trace(sheet, top, along[chosen], seen, COLOURS[wall], background / small, unit)
     every = _between(_WIDTH / (along[chosen[-1]] - along[chosen[0]])) * unit.small
-    lines = f"a line every {f'{every:.2f}'.lstrip('0')}", f"a line every {f'{unit.small:g}'.lstrip('0')}"
+    lines = f"a line every {f'{every:.2f}'.lstrip('0')}", f"a line every {unit.named_division}"
     name = "inches" if unit is INCH else unit.name
     said = f"{name} along the curve, {lines[0]}; upward is outward, in {name}, {lines[1]}"
     if background:
@@ -69,7 +69,7 @@ def talysurf(
 
 
 def _numbered(across: float) -> float:
-    """Return the numbered lines of a scale, in small divisions of so many pixels."""
+    """Return the distance of a scale's numbered lines, in small divisions, each `across` pixels wide."""
     return round_step(max(DIVISION, 48 / across))
 
 

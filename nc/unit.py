@@ -22,6 +22,11 @@ class Unit(NamedTuple):
         """A small division, in thousandths of an inch."""
         return self.small / self.scale
 
+    @property
+    def named_division(self) -> str:
+        """A small division as a graph names it: .001, .02."""
+        return f"{self.small:g}".lstrip("0")
+
     def of(self, thousandths: float) -> float:
         """Return a length in this unit."""
         return round(thousandths * self.scale, 6) + 0.0

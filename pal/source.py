@@ -61,9 +61,8 @@ class Source:
         self._code = self.text.upper() if modern else self.text
         self.items: list[tuple[str, str]] = _ITEM.findall(self._code)
         self.feeds: list[int] = []
-        self._lines: dict[int, list[tuple[int, int]]] = {}
-        """The columns of the items of a line that was asked for; its text, which all its places share."""
-        self._texts: dict[int, str] = {}
+        self._lines: dict[int, tuple[str, list[tuple[int, int]]]] = {}
+        """The text of a line that was asked for, which all its places share, and the columns of its items."""
         if "\f" in text:
             self.items = [(item.replace("\f", ""), mark) for item, mark in self.items]
             self.feeds = [at for at, (start, end) in enumerate(self.spans) if "\f" in self.text[start:end]]
@@ -121,16 +120,16 @@ class Source:
         end = self._ends[line] if line < len(self._ends) else len(self.text)
         if line not in self._lines:
             found = _ITEM.finditer(self._code[begin : end + 1])
-            self._lines[line] = [(match.start(), match.end()) for match in found]
-            self._texts[line] = self.shown[begin:end]
-        start, after = self._lines[line][at - (self.line_ends[line - 1] + 1 if line else 0)]
+            self._lines[line] = self.shown[begin:end], [(match.start(), match.end()) for match in found]
+        text, columns = self._lines[line]
+        start, after = columns[at - (self.line_ends[line - 1] + 1 if line else 0)]
         if self.items[at][0]:
             after = start + len(self.items[at][0])
         else:
             start = after - 1
         tape = sum(first <= begin + start for first in self._starts) - 1
         number = line - bisect_left(self._ends, self._starts[tape]) + 1
-        return Place(tape, number, self._texts[line], start, after)
+        return Place(tape, number, text, start, after)
 
 
 def plain(text: str) -> str:
