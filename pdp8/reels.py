@@ -13,7 +13,7 @@ from pdp8 import shelf
 from pdp8.computer.dectape.tc08 import TC08
 from pdp8.computer.dectape.tu55 import Transport
 from pdp8.computer.hardware.bus import Peripheral
-from pdp8.computer.rack.df32 import DF32
+from pdp8.computer.rack.df32 import DF32, DISC
 from pdp8.computer.use import bootstrap
 from tapes import dectape
 from tapes.errors import WorkError, naming
@@ -117,14 +117,20 @@ class Discs:
         self.file = (self.file or "df.df32") if found else ""
 
     def mount(self, name: str, locked: bool = False) -> list[str]:
-        """Fill the discs from a file. Raises WorkError, and changes nothing then."""
+        """Fill the discs from a file, the rest of the last with zeros: SIMH's images end with the last word
+        written. Return notes about it. Raises WorkError, and changes nothing then.
+        """
         content = shelf.read(name)
+        missing = 0 if len(content) % 2 else -len(content) % (2 * DISC)
         try:
-            self.control.content = content
+            self.control.content = content + bytes(missing)
         except ValueError as error:
-            raise WorkError(f"{name}: {error}") from error
-        self.file, self._kept = name, content
-        return []
+            raise WorkError(f"{name}: {len(content):,} bytes: {error}") from error
+        self.file, self._kept = name, self.control.content
+        if not missing:
+            return []
+        discs, words = counted(len(self._kept) // (2 * DISC), "discs"), counted(missing // 2, "words")
+        return [f"{discs}, the last {words} of them missing and taken as 0000"]
 
     def take_off(self) -> None:
         """Clear the discs."""

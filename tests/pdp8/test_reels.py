@@ -219,8 +219,8 @@ def test_an_image_is_no_program(call: Call) -> None:
 
 def test_a_disk_that_is_refused_fits_nothing() -> None:
     monitor = Monitor(lambda line: None)
-    Path("short.df32").write_bytes(bytes(100))
-    for name in ("short.df32", "none.df32"):
+    Path("odd.df32").write_bytes(bytes(101))
+    for name in ("odd.df32", "none.df32"):
         with pytest.raises(WorkError, match=name):
             do(monitor, f"attach df {name}")
     with pytest.raises(WorkError, match="df: no DF32 is fitted; attach df FILE fits it"):
@@ -228,3 +228,18 @@ def test_a_disk_that_is_refused_fits_nothing() -> None:
     Path("whole.df32").write_bytes(bytes(65_536))
     do(monitor, "attach df whole.df32")
     assert [place.device for place in monitor.reels.mounted()] == ["df"]
+
+
+def test_a_disk_that_ends_with_what_was_written_last_is_filled_with_zeros() -> None:
+    """As SIMH leaves its images: OS/8 of four discs in 185,856 bytes."""
+    said: list[str] = []
+    monitor = Monitor(said.append)
+    for length, discs in ((2, 1), (65_534, 1), (65_536, 1), (65_538, 2), (262_144, 4)):
+        Path("own.df32").write_bytes(bytes(length - 2) + b"\x07\x01")
+        said.clear()
+        do(monitor, "attach df own.df32")
+        words = monitor.reels.discs.control.words
+        assert (len(words), words[length // 2 - 1]) == (discs * 32_768, 0o407)
+        missing = len(words) - length // 2
+        assert (f"{missing:,} word" in said[0]) == (missing > 0), said
+        assert monitor.reels.places["df"].changed() == 0

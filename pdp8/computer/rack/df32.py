@@ -85,7 +85,7 @@ class DF32(BreakDevice):
     def content(self, content: bytes) -> None:
         words = low_first(array("H", content[: len(content) & ~1]))
         if len(content) not in range(2 * DISC, 8 * DISC + 1, 2 * DISC) or max(words) > 0o7777:
-            raise ValueError(f"{len(content):,} bytes: one to four discs of 65,536 bytes, words of 12 bits")
+            raise ValueError("one to four discs of 65,536 bytes, words of 12 bits")
         self.words = words
 
     def connect(self, bus: Bus) -> None:

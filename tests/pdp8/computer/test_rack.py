@@ -212,5 +212,5 @@ def test_the_commands_fill_and_save_a_disk_and_a_printer(call: Call, tmp_path: P
     assert (tmp_path / "disk-changed").read_bytes() == (tmp_path / "after").read_bytes()
     assert "not saved" not in call("pdp8 run prog.pal --disk df32=after --printer out.txt")[2]
     assert call("pdp8 run prog.pal --disk rk05=disk")[0] == 2
-    (tmp_path / "short").write_bytes(b"12")
-    assert "2 bytes: one to four discs" in call("pdp8 run prog.pal --disk df32=short")[2]
+    (tmp_path / "short").write_bytes(b"\1\2\3")
+    assert "3 bytes: one to four discs" in call("pdp8 run prog.pal --disk df32=short")[2]
