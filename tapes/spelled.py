@@ -11,7 +11,7 @@
     mif         080 : ec0 2a8;           Altera's memory initialization file, in the radix that its head names
 
 A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
-and what is between `/*` and `*/`.
+and what is between `/*` and `*/`. A heading may stand above, such as `Address  Contents` and a rule.
 In Intel's records the high byte may come first too, if the words say so.
 """
 
@@ -72,6 +72,7 @@ def found(content: bytes) -> Spelled | None:
     first, *rest = in_ascii(content).split("/*")
     text = first + "".join([piece.partition("*/")[2] for piece in rest])
     lines = [line for line in map(_tokens, lines_of(text)) if line]
+    lines = lines[next((at for at, line in enumerate(lines) if not _is_heading(line)), 0) :]
     for known in FORMATS.values() if lines else ():
         words: dict[int, int] = {}
         try:
@@ -88,6 +89,12 @@ def _tokens(line: str) -> list[str]:
     for mark in (";", "#", "//"):
         line = line.partition(mark)[0]
     return line.strip().removeprefix("sim>").split()
+
+
+def _is_heading(line: list[str]) -> bool:
+    """Whether a line names the column of addresses, without a digit, or is a rule."""
+    text = "".join(line).lower()
+    return not text.strip("-=+|_") or (text.startswith(("addr", "loc")) and text.isalpha())
 
 
 def is_number(text: str, base: int, least: int, most: int) -> bool:
@@ -191,6 +198,8 @@ def _read_bits(lines: list[list[str]], words: dict[int, int]) -> int:
         if bits.startswith("@"):
             address = _number(bits[1:], 16, 1, 4)
             continue
+        if len(bits) == 16:  # as a word of today's has it
+            bits = bits.removeprefix("0000")
         _store(words, address, [_number(bits[at : at + 12], 2, 12, 12) for at in range(0, len(bits), 12)])
         address += len(bits) // 12
     if len(words) < _FEWEST and len(words) == len(lines):

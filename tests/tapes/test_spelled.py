@@ -16,6 +16,7 @@ FORMS = {
     "@080\nec0 // CLA CLL\n2a8\nf02\n@0a8\n002\n": "Verilog's $readmemh",
     "\ufeff/* two\nlines */\n@0080 0EC0 0_2A8 f02\n\n@a8 2\n": "Verilog's $readmemh",
     "@0080\n1110_1100_0000\n001010101000\n111100000010\n@00A8\n000000000010\n": "lines of twelve bits",
+    "@80\n0000111011000000\n0000001010101000\n0000111100000010\n@a8\n000000000010\n": "lines of twelve bits",
     "@80\n111011000000\n0010_1010_1000\n111 100 000 010\n@0a8\n000000000010\n": "lines of twelve bits",
     "0x080:0xEC0\n0x081:0x2a8\n082: F02 ; HLT\n0A8:2\nep:080\n": f"{EP}; it starts at 0200",
     "(0200)=7300\n201: 1250\n0202/ 7402 / HLT\n0250,0002\n": "octal addresses and words",
@@ -24,6 +25,9 @@ FORMS = {
     ),
     "EP:080\n080:EC0\n081:2A8\n082:F02\n0A8:2\n": f"{EP}; it starts at 0200",
     "0200 7300\n0201 1250\n0202 7402\n0250 0002\n": "octal addresses and words",
+    "Address  Contents\n-------  --------\n0200  7300\n0201  1250\n0202  7402\n0250  0002\n": (
+        "octal addresses and words"
+    ),
     "0o200 0o7300\n0o201 0o1250\n0o202 0o7402\n0o250 0o0002\n": "octal addresses and words",
     "dep -m 200 7300\nd 201 1250\nd 202 7402\nd 250 2\n": "deposits of a SIMH script",
     "@80\n0b111011000000\n0b001010101000\n0b111100000010\n@a8\n0b000000000010\n": "lines of twelve bits",
@@ -80,7 +84,17 @@ def test_nothing_else_is(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["*200\n7300\n$\n", "7300\n1250\n", "D 200\n", "0019029030000350000\n", "12 34\n", "@\n", "EP:\n"]
+    "text",
+    [
+        "*200\n7300\n$\n",
+        "7300\n1250\n",
+        "D 200\n",
+        "0019029030000350000\n",
+        "12 34\n",
+        "@\n",
+        "EP:\n",
+        "LOC,\n0200 7300\n",
+    ],
 )
 def test_nor_is_a_source_or_a_table(text: str) -> None:
     assert spelled.found(text.encode()) is None
