@@ -310,7 +310,7 @@ def _items(frames: bytes, at: int, labels: list[range]) -> tuple[list[Item], int
             at += 1
         else:
             damage = _fault(frames, at)
-            closes = damage is not None and _closes(frames, at, items)
+            closes = _closes(frames, at, items)
             if damage and not closes:
                 return items, damage.frame or 0, damage
             items.append(Item(WORD if closes or not frame >> 6 else ORIGIN, together(frames, at), at))
@@ -338,12 +338,9 @@ def _sum(items: Iterable[Item]) -> int:
 
 
 def _closes(frames: bytes, at: int, items: list[Item]) -> bool:
-    """Whether two frames before a trailer, the second with channel 7, are the checksum: DEC's loader takes
-    any there.
-    """
-    if frames[at + 2 : at + 3] != bytes([LEADER]) or not 0o77 < frames[at + 1] < LEADER:
-        return False
-    return together(frames, at) == _sum(items)
+    """Whether two frames before a trailer are the checksum; DEC's loader takes them with channel 7 too."""
+    closing = frames[at + 2 : at + 3] == bytes([LEADER]) and frames[at + 1] < LEADER
+    return closing and together(frames, at) == _sum(items)
 
 
 def together(frames: bytes, at: int) -> int:

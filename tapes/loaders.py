@@ -31,7 +31,10 @@ from tapes.quantities import counted, ranges
 
 _FITTING = 8
 """Frames that have to fit: one tape in 65,000 begins with them by chance."""
-_NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout"}
+_NO_WORDS = 64
+"""Frames with channel 8 that are more than a label, rubouts and fields."""
+_FILE_END = 0o232
+_NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout", _FILE_END: "^Z, where OS/8 ends a file"}
 
 
 class Known(NamedTuple):
@@ -114,6 +117,8 @@ class Words(Code):
             return 0.0 if self._by_words else MOSTLY
         if not begins_as_words(frames, content) or _by_words(content, LEADER in trailer) != self._by_words:
             return 0.0
+        if sum(frame > LEADER for frame in content) > max(_NO_WORDS, len(content) // 4):
+            return 0.0
         return LED if frames.startswith(LEAST_LEADER) and not _has_lines(content) else PERHAPS
 
     def captions(self, frames: bytes) -> list[str]:
@@ -172,15 +177,18 @@ class _Bin(Words):
             if closing != -1:
                 said += ["rubout", *(f"({ascii.name(each)})" for each in frames[end:closing]), "rubout"]
                 end = closing + 1
-            elif frame == BLANK and (at == 0 or frames[at - 1] == LEADER):  # blank tape is no word
+            elif frame == BLANK and (
+                at == 0 or frames[at - 1] in (LEADER, _FILE_END)
+            ):  # blank tape is no word
                 end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
             elif frame < LEADER and end < len(frames) and frames[end] < 0o100 << last(end + 1):
                 value = binary.together(frames, at)
                 end += 1
-                if frame >> 6 and frames[end - 1] < 0o100:
+                closes = last(end) and address is not None
+                if frame >> 6 and frames[end - 1] < 0o100 and not closes:
                     caption, address = f"origin {value:04o}", value
-                elif address is None or last(end):
+                elif address is None or closes:
                     caption, address = f"checksum {value:04o}", None
                 else:
                     caption, address = f"{address:04o}: {value:04o}", address + 1 & 0o7777

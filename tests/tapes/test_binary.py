@@ -119,8 +119,8 @@ def test_what_follows_a_good_tape_is_a_label(label: str) -> None:
     start = len(FORMAT_BIN) + (len(octal(label)) - len(octal(label).lstrip(b"\0")))
     assert binary.read(labelled)[2:4] == (None, (range(start, len(labelled)),))
     assert codes.recognise(labelled) is codes.BIN
-    # 102+000+074+002 is 200, octal: a checksum; another word before it; and an origin there
-    good, bad, unsummed = (tape(f"102 000 074 {end} 000") for end in ("002 002", "003 002", "002 102"))
+    # 102+000+074+002 is 200, octal: a checksum; another word before it; and an origin
+    good, bad, unsummed = (tape(f"102 000 074 {end} 000") for end in ("002 002", "003 002", "002 103"))
     labelled += bytes(3)
     assert apart(labelled + good) == len(labelled)
     assert [apart(labelled), apart(labelled + bad), apart(labelled + unsummed)] == [None] * 3
@@ -162,11 +162,13 @@ def test_a_file_of_text_before_the_leader_is_a_label() -> None:
 
 
 def test_a_checksum_with_channel_7_is_as_decs_loader_makes_it() -> None:
-    """DEC-08-LBAA shifts the first frame and adds the second; FOCAL-8.bn of the PiDP-8 ends so, AC = 0000."""
-    for closing in ("101 112", "001 112"):
+    """DEC-08-LBAA shifts the first frame and adds the second; FOCAL-8.bn of the PiDP-8 ends so, and
+    the overlays of UW-FOCAL: AC = 0000.
+    """
+    for closing in ("101 112", "001 112", "102 012"):
         assert binary.decode(tape(f"102 000 011 077 {closing}")).words == {0o200: 0o1177}
         assert codes.BIN.captions(tape(f"102 000 011 077 {closing}"))[-66:-64] == ["checksum 0212", '"']
-    for closing in ("101 113", "101 312", "112 101", "101 112 000 000"):
+    for closing in ("101 113", "101 312", "112 101", "102 013", "101 112 000 000"):
         assert refused(binary.decode, tape(f"102 000 011 077 {closing}"))
 
 

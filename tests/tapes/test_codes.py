@@ -77,6 +77,8 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         (SIX_LEVEL[:18] + bytes(20) + b"\300\300", "six-level"),  # nine in ten of what is punched
         (SIX_LEVEL[:17] + bytes(20) + b"\300\300\300", "unknown"),
         (bytes(range(256)), "unknown"),
+        (LEADER + octal("102 000 073 000") + 64 * b"\210" + 150 * b"\1", "bin"),
+        (LEADER + octal("102 000 073 000") + 65 * b"\210" + 150 * b"\1", "unknown"),  # too few are words
         (b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR\x00\x00\x01\x2c\x00\x00\x00\xc8\x08\x06", "unknown"),
     ],
 )
