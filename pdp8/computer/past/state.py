@@ -27,7 +27,8 @@ from pdp8.computer.hardware.teletype import Reader, Teletype
 from pdp8.computer.machine import Machine
 from tapes.errors import WorkError
 
-HEAD = {"format": "pdp8 state", "version": 2}
+_FORMAT = "pdp8 state"
+HEAD = {"format": _FORMAT, "version": 2}
 _PARTS = ("memory", "core", "processor", "bus", "waiting", "extension", "devices")
 _LATEST = 1 << 56
 """Ticks, 114 years: eleven times as many, the Teletype's parts of a tick, still fit into 64 bits."""
@@ -161,7 +162,7 @@ def _fitted(
 def _parsed(text: str) -> dict[str, Any]:
     """Return the JSON object of a saved state."""
     begins = f"a saved state begins with {json.dumps(HEAD)[:-1]}"
-    if not text.lstrip().startswith("{"):
+    if not text.lstrip().startswith("{") or _FORMAT not in text:
         raise StateError(begins)
     try:
         state: dict[str, Any] = json.loads(text)

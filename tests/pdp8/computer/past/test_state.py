@@ -90,9 +90,9 @@ OBJECT, OCTAL, NUMBER = (
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        *((text, BEGINS) for text in ("", "hello", "[]", '{"format": "pdp8 state", "version": 3}')),
+        *((text, BEGINS) for text in ("", "hello", "[]", r"{\rtf1}", '{"format": "pdp8 state", "version": 3}')),
         (given()[:-1] + ", ", "the saved state is cut short or damaged: "),
-        ('{"format": ' + "[" * 100_000, "the saved state is nested too deeply"),
+        ('{"format": "pdp8 state", "core": ' + "[" * 100_000, "the saved state is nested too deeply"),
         (given(devices={"05": {}}), "devices 05: the state needs a device of this code"),
         (
             given(devices={"03": {"device": "Clock"}}),
