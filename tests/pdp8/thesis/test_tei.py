@@ -10,6 +10,7 @@ from pdp8.thesis.evidence import ARTEFACTS, TABLES, table
 from pdp8.thesis.tei import RECONSTRUCTIONS, tei
 
 SPACE = "{http://www.tei-c.org/ns/1.0}"
+RELAX = "{http://relaxng.org/ns/structure/1.0}"
 SCHEMA = Path(os.environ.get("TEI_SCHEMA", Path(__file__).parents[3] / "build" / "tei_all.rng"))
 
 
@@ -84,14 +85,22 @@ def test_a_program_that_we_wrote_is_not_given_to_the_author(artefact: str) -> No
     assert all(statement(row.ours) in third for row in like)
 
 
-@pytest.mark.slow("asks for TEI's schema, and validates four documents by it: 10 s")
+@pytest.mark.slow("asks for TEI's schema")
 def test_it_is_valid_tei() -> None:
+    """By the schema without the elements that no document has, which takes libxml2 no minute to read."""
     etree = pytest.importorskip("lxml.etree")
     if not SCHEMA.exists():
         pytest.skip("TEI's schema is not here: make build/tei_all.rng")
-    schema = etree.RelaxNG(etree.parse(str(SCHEMA)))
-    for artefact in ("eia.pal", "eia1.pal", "circle.for", "ch2-block"):
-        document = etree.fromstring(tei(artefact).encode())
-        assert schema.validate(document), (artefact, schema.error_log)
+    names = ("eia.pal", "eia1.pal", "circle.for", "ch2-block")
+    documents = {name: etree.fromstring(tei(name).encode()) for name in names}
+    used = {each.tag for document in documents.values() for each in document.iter(etree.Element)}
+    grammar = etree.parse(str(SCHEMA))
+    for element in grammar.iter(f"{RELAX}element"):
+        if element.get("name") and SPACE + element.get("name") not in used:
+            element.clear()
+            element.tag = f"{RELAX}notAllowed"
+    schema = etree.RelaxNG(grammar)
+    for name, document in documents.items():
+        assert schema.validate(document), (name, schema.error_log)
     document.append(etree.Element(f"{SPACE}ab"))
     assert not schema.validate(document), "the schema is one that can fail"
