@@ -10,7 +10,7 @@ from pdp8.lessons import form, handed, marking, student, where
 from pdp8.lessons.answer import assembled
 from pdp8.lessons.exercise import Exercise
 from pdp8.lessons.page import body
-from tests.pdp8.web.node import called, needs_node
+from tests.pdp8.web.node import called, modules, needs_node
 from tests.sampling import WHOLE, some
 
 
@@ -35,7 +35,8 @@ def test_the_page_marks_as_the_command_does() -> None:
         text = student.form(whole := form.read(name))
         answers.append((form.parse(text, name), json.loads(text), whole.solution))
     marker = "pdp8/web/bench/marker"
-    there = called(*((marker, "marks", tables, "a.pal", source) for _, tables, source in answers))
+    asked = ((marker, "marks", tables, "a.pal", source) for _, tables, source in answers)
+    there = called(*asked, folder=modules(checked=False))
     for (exercise, _, source), marks in zip(answers, there, strict=True):
         result = marking.mark(exercise, handed.of(source.encode(), "a.pal"))
         said = {"right": result.right, "points": result.points, "of": result.of}
