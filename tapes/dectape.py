@@ -3,7 +3,8 @@
     .tu56, .dt8   380,292 bytes    129 words a block, each in two bytes, the low one first
                   377,344 bytes    128 words a block, as some programs keep them; the last word is 0
 
-A file that ends after a whole block is the beginning of a tape, as SIMH takes it: the rest is 0.
+A file that ends after a whole block is the beginning of a tape, as SIMH takes it: the rest is 0. Douglas
+Jones' emulator writes `tu56` before the words (.dwj).
 """
 
 from array import array
@@ -16,12 +17,14 @@ WORDS = 129
 _WIDTHS = (129, 128)
 _LENGTHS = tuple(2 * BLOCKS * width for width in _WIDTHS)
 """Bytes of a whole image."""
+_MARK = b"tu56"
 _OTHERS = {
     591_872: "a DECtape of 18-bit words, of a PDP-7, 9 or 15",
     3_325_952: "an RK05 disk; no PDP-8/L had one",
     6_651_904: "an RK05 disk; no PDP-8/L had one",
     65_536: "a DF32 disk",
     131_072: "two DF32 disks",
+    196_608: "three DF32 disks",
     262_144: "four DF32 disks",
     524_288: "an RF08 disk",
     256_256: "an RX01 diskette; no PDP-8/L had one",
@@ -63,6 +66,7 @@ def blank() -> Image:
 
 def decode(content: bytes) -> tuple[Image, list[str]]:
     """Return the image in a file, and notes about it. Raises TapeError for a file that is none."""
+    content = _unmarked(content)
     width = next((each for each in _WIDTHS if len(content) == 2 * BLOCKS * each), WORDS)
     blocks, more = divmod(len(content), 2 * width)
     if more or not 0 < blocks <= BLOCKS:
@@ -86,7 +90,12 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
 
 def is_image(content: bytes, name: str = "") -> bool:
     """Whether a file is as long as a whole image, or is named as one."""
-    return len(content) in _LENGTHS or name.lower().endswith((".tu56", ".dt8"))
+    return len(_unmarked(content)) in _LENGTHS or name.lower().endswith((".tu56", ".dt8"))
+
+
+def _unmarked(content: bytes) -> bytes:
+    """Return what is behind the mark of Jones' emulator."""
+    return content[len(_MARK) :] if content.startswith(_MARK) else content
 
 
 def packed(words: "array[int]") -> bytes:
