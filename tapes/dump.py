@@ -7,7 +7,10 @@
 10001101 00000001      0x8d, 0x01             binary; hexadecimal with its mark
 0200                   [128, 66, 0]           octal as C has it; a list, decimal
 80 42 0                                       any base, if the tape begins with leader in it
-|oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it
+|oo     .  o|          | o o       .     o |  a drawing of holes, as BSD's ppt and `pdp8 tape show` make it;
+|o  .     oo|                                 or from channel 1 on
+
+What follows `#` is a comment.
 """
 
 import re
@@ -28,7 +31,7 @@ _DRAWN = 9  # columns: eight channels and the sprocket hole
 _LIST = re.compile(r"[\[{]([\s,0-9a-fA-FxX]{15,})[\]}]")
 """Of a program in C, Python or JSON: eight numbers or more."""
 _BASES = {"binary": 2, "octal": 8, "decimal": 10}
-_BESIDE = ("|", "/", "  >")
+_BESIDE = ("|", "/", "#", "  >")
 _BETWEEN = (",", ";", "[", "]", "(", ")", '"', "'", "\\x", "$")
 
 
@@ -98,19 +101,27 @@ def unspelled(content: bytes) -> tuple[bytes, str]:
 
 
 def _drawn(lines: list[str]) -> bytes:
-    """Return the frames that lines between two bars draw, channel 8 on the left; b"" if one is no frame."""
+    """Return the frames that lines between two bars draw; b"" if one after the first is no frame."""
     frames: list[int] = []
     for line in lines:
-        row = line.partition("|")[2].partition("|")[0]
-        if len(row) == 2 * _DRAWN + 1:
-            row = "".join([row[at] for at in range(1, 2 * _DRAWN, 2)])
-        if "|" not in line:
-            continue
-        if len(row) != _DRAWN or row[5] != "." or (row[:5] + row[6:]).strip(" oO"):
-            return b""
-        holes = [hole != " " for hole in row[:5] + row[6:]]
-        frames.append(sum(0o200 >> at for at, hole in enumerate(holes) if hole))
+        if "|" in line:
+            holes = _holes(line.partition("|")[2].partition("|")[0])
+            if len(holes) == 8:
+                frames.append(sum([0o200 >> at for at, hole in enumerate(holes) if hole != " "]))
+            elif frames:
+                return b""
     return bytes(frames)
+
+
+def _holes(row: str) -> str:
+    """Return the eight channels of a drawn row, 8 first, "" for anything else: by the place of the sprocket
+    hole either 8 or 1 is on the left.
+    """
+    if len(row) == 2 * _DRAWN + 1:
+        row = "".join([row[at] for at in range(1, 2 * _DRAWN, 2)])
+    left, _, right = row.partition(".")
+    holes = left + right if len(left) == 5 else "".join([*reversed(left + right)])
+    return "" if len(left) not in (3, 5) or len(row) != _DRAWN or holes.strip(" oO") else holes
 
 
 def _row(line: str) -> _Row:

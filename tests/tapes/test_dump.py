@@ -60,6 +60,9 @@ def test_an_address_is_no_reason_to_fill_up_memory() -> None:
 
 
 TAPE = bytes([LEADER] * 20) + FRAMES
+CHANNELS = ["".join([" o"[frame >> at & 1] for at in range(8)]) for frame in FRAMES]
+DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CHANNELS, FRAMES, strict=True)])
+"""From channel 1 on."""
 
 
 @pytest.mark.parametrize(
@@ -72,6 +75,8 @@ TAPE = bytes([LEADER] * 20) + FRAMES
         (TAPE, "int tape[] = {" + ", ".join([f"0{frame:o}" for frame in TAPE]) + "};"),
         (TAPE, " ".join([f"{frame:o}" for frame in TAPE])),
         (TAPE, " ".join([f"{frame:x}" for frame in TAPE])),
+        (FRAMES, "# Tape Label: MAINDEC-08-D1L2-PM\n#Start\n" + FRAMES.hex("\n").upper() + " # its end\n"),
+        (FRAMES, "|   1 inch Tape Reader  |\n+----+\n" + DRAWN),
         (FRAMES, "".join([f"{frame:04o}\r\n" for frame in FRAMES]) + "\x1a"),
     ],
 )
@@ -88,7 +93,13 @@ def test_what_is_no_dump(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "figures", ["0,0\n10,0\n10,10\n0,10\n", "128 129 130 131 132 133 134 135", "1\n2\n3\n" * 9]
+    "figures",
+    [
+        "0,0\n10,0\n10,10\n0,10\n",
+        "128 129 130 131 132 133 134 135",
+        "1\n2\n3\n" * 9,
+        DRAWN + "| oo |\n" + DRAWN,
+    ],
 )
 def test_figures_are_no_dump(figures: str) -> None:
     """Points of a part, or data of a program, which no leader begins."""
