@@ -28,7 +28,7 @@ _FARTHEST = 1 << 24
 _GAP = "; its addresses do not follow one another: is a line missing?"
 _STARRED = "; * stands for lines that it lacks: od -v writes them"
 _DRAWN = 9  # columns: eight channels and the sprocket hole
-_LIST = re.compile(r"[\[{]([\s,0-9a-fA-FxX]{15,})[\]}]")
+_LIST = re.compile(r"[\[{]([\s,0-9a-fA-FoOxX]{15,})[\]}]")
 """Of a program in C, Python or JSON: eight numbers or more."""
 _BASES = {"binary": 2, "octal": 8, "decimal": 10}
 _BESIDE = ("|", "/", "#", "  >")
@@ -68,13 +68,13 @@ def found(content: bytes) -> Dump | None:
     lists = _LIST.findall(text)
     rows = [_row(line) for line in lines_of(lists[0] if lists else text)]
     rows = [row for row in rows if row.address or row.numbers]
-    colons = any(row.address and row.address != "*" for row in rows)
-    if not colons:
-        rows = _addressed(rows)
-    words = not colons and any(row.address and row.address != "*" for row in rows)
+    colons = any(row.address.strip("*") for row in rows)
+    rows = rows if colons else _addressed(rows)
+    addresses = "".join([row.address for row in rows])
+    words = not colons and addresses.strip("*") != ""
     numbers = [number for row in rows for number in row.numbers]
-    notation = "" if any(row.address for row in rows) else _by_leader(numbers, len(rows))
-    notation = notation or _notation(numbers, words, len(lists) > 0)
+    listed = bool(lists) and "x" not in lists[0].lower()
+    notation = _by_leader(numbers, 0 if addresses else len(rows)) or _notation(numbers, words, listed)
     if not notation:
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
@@ -86,7 +86,6 @@ def found(content: bytes) -> Dump | None:
     frames = placed or b"".join(pieces)
     sure = any(number.strip("0123456789") for number in numbers) or (placed != b"" and len(rows) > 1)
     many = len(numbers) >= _FEWEST or (len(frames) >= 2 * _FEWEST and sure)
-    addresses = "".join([row.address for row in rows])
     gap = "" if placed or not addresses else _GAP if addresses.strip("*") else _STARRED
     return Dump(notation.partition(" ")[0], frames, gap, fit[0] if unsure else 0) if many else None
 
@@ -139,10 +138,10 @@ def _row(line: str) -> _Row:
 
 
 def _unmarked(number: str) -> str:
-    """Return a number without 0x, 0o or 0b."""
+    """Return a number without 0x, 0o or 0b, with as many digits as a frame has."""
     mark, rest = number[:2].lower(), number[2:]
-    marked = mark == "0x" or (mark == "0o" and len(rest) == 3) or (mark == "0b" and len(rest) == 8)
-    return rest if marked else number
+    digits = {"0x": 2, "0o": 3}.get(mark, len(rest) if mark == "0b" and len(rest) == 8 else 0)
+    return rest.rjust(digits, "0") if digits else number
 
 
 def _addressed(rows: list[_Row]) -> list[_Row]:
@@ -162,13 +161,14 @@ def _addressed(rows: list[_Row]) -> list[_Row]:
 
 
 def _by_leader(numbers: list[str], lines: int) -> str:
-    """Return the notation in which numbers of any length begin with leader, or are octal as C has it, one a
-    line; or "".
+    """Return the notation in which numbers of any length begin with leader, or blank tape and leader, or are
+    octal as C has it, one a line; or "".
     """
+    first = next((at for at, number in enumerate(numbers) if number.strip("0")), 0)
     for notation, base, most in ("octal", 8, 4), ("decimal", 10, 3), ("hexadecimal", 16, 2):
         if _are_frames(numbers, base, most):
             octal = lines == len(numbers) and {len(number) for number in numbers} == {4}
-            if octal or {int(number, base) for number in numbers[:2]} == {LEADER}:
+            if octal or {int(number, base) for number in numbers[first : first + 2]} == {LEADER}:
                 return notation
     return ""
 
@@ -180,18 +180,19 @@ def _are_frames(numbers: list[str], base: int, most: int) -> bool:
 
 def _notation(numbers: list[str], words: bool, listed: bool) -> str:
     """Return the notation that all numbers have, or ""; with `words` a number may be of two frames, and
-    `listed` they are in brackets.
+    `listed` they are in brackets, without 0x.
     """
     if not numbers:
         return ""
     if all(is_number(number, 2, 8, 8) for number in numbers):
         return "binary"
+    zeros = any(number[1:] and number[0] == "0" for number in numbers)
+    if listed and not zeros and _are_frames(numbers, 10, 3):
+        return "decimal"
     if all(is_number(number, 8, 3, 3) and number[0] < "4" for number in numbers):
         return "octal"
     if all(is_number(number, 8, 6, 6) and number[0] < "2" for number in numbers):
         return "octal words"
-    if listed and _are_frames(numbers, 10, 3):
-        return "decimal"
     if not all(is_number(number, 16, 2, 1 << 20) and len(number) % 2 == 0 for number in numbers):
         return ""
     longest, shortest = max(map(len, numbers)), min(map(len, numbers))

@@ -59,7 +59,8 @@ def test_an_address_is_no_reason_to_fill_up_memory() -> None:
     assert (found.frames, bool(found.gap)) == (b"\x80\x81" * 8 + b"\x82\x83" * 8, True)
 
 
-TAPE = bytes([LEADER] * 20) + FRAMES
+TAPE = bytes([0] + [LEADER] * 20) + FRAMES
+DIGITS = FRAMES[100:433]  # of EIA, in hexadecimal too
 CHANNELS = ["".join([" o"[frame >> at & 1] for at in range(8)]) for frame in FRAMES]
 DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CHANNELS, FRAMES, strict=True)])
 """From channel 1 on."""
@@ -69,9 +70,12 @@ DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CH
     ("frames", "text"),
     [
         (TAPE, str(list(TAPE))),
-        (FRAMES, f"tape = {list(FRAMES)}"),
+        (DIGITS, f"tape = {[*map(hex, DIGITS)]}".replace("'", "")),
+        (DIGITS, f"tape = {[*map(oct, DIGITS)]}".replace("'", "")),
+        (b"dekg" * 4, f"tape = {[100, 101, 107, 103] * 4}"),
         (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
         (TAPE, "\n".join([str(frame) for frame in TAPE])),
+        (TAPE, "".join([f"{at:07o} {frame:3}\n" for at, frame in enumerate(TAPE)])),
         (TAPE, "int tape[] = {" + ", ".join([f"0{frame:o}" for frame in TAPE]) + "};"),
         (TAPE, " ".join([f"{frame:o}" for frame in TAPE])),
         (TAPE, " ".join([f"{frame:x}" for frame in TAPE])),
