@@ -132,7 +132,7 @@ def _fault(place: Row, frames: bytes, rows: bytes, strict: bool) -> BlockError:
         if digit == _END:
             return place.error(row, f"the block ends in row {row}; a block has {ROWS} rows")
     if len(rows) < ROWS:
-        return place.error(len(rows), f"the tape ends after {len(rows)} rows of the block's {ROWS}")
+        return place.error(len(rows), f"the tape ends after {len(rows)} of the block's {ROWS} rows")
     return place.error(ROWS, f"no end of block in row {ROWS}, but the digit {chr(rows[-1])}")
 
 

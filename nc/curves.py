@@ -120,9 +120,7 @@ class Ellipse(Curve):
     def __post_init__(self) -> None:
         """Raise WorkError for axes that are not positive."""
         if not (self.a > 0 and self.b > 0):
-            raise WorkError(
-                f"semi-axes {self.a / 1000:g} and {self.b / 1000:g} in: each must be greater than 0"
-            )
+            raise WorkError("a radius or semi-axis must be greater than 0")
 
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
         """Return points and normals counterclockwise from +X; the parameter is the eccentric angle."""
@@ -162,7 +160,7 @@ class StraightLine(Curve):
     def __post_init__(self) -> None:
         """Raise WorkError for a line of length 0."""
         if (self.x1, self.y1) == (self.x2, self.y2):
-            raise WorkError(f"{self}: it needs two different ends")
+            raise WorkError("a line needs two different ends")
 
     def surface(self, part: Floats) -> tuple[Floats, Floats]:
         """Return points from end to end, and the normal to the left."""

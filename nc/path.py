@@ -17,6 +17,7 @@ from math import sqrt
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from tapes.hydrapoint import HOLE_MAKING, ROWS, Block, Preparatory
+from tapes.quantities import counted
 
 if TYPE_CHECKING:
     from numpy import float64
@@ -159,7 +160,7 @@ class Path:
         return len(self.steps)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {len(self)} blocks, {self.times.total / 60:.1f} min>"
+        return f"<{type(self).__name__}: {counted(len(self), 'blocks')}, {self.times.total / 60:.1f} min>"
 
     @property
     def blocks(self) -> tuple[Block, ...]:

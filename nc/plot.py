@@ -21,6 +21,7 @@ from nc.path import Move, MoveKind, Path, Position
 from nc.unit import INCH, Unit
 from tapes.errors import WorkError
 from tapes.hydrapoint import HOLE_MAKING, Preparatory
+from tapes.quantities import counted
 
 _LEFT, _WIDTH, _TALLEST = 60.0, 720.0, 620.0
 _SCALES = (4.0, 2.0, 1.0, 0.5, 0.25, 0.2)
@@ -66,8 +67,9 @@ def plot(
     close_height = min(max(high - close_top - _BELOW, _CLOSE_LOWEST), _CLOSE_HIGHEST)
     bottom = close_top + close_height
     sheet = Sheet(_LEFT + _WIDTH + 20, bottom + _BELOW, f"Hydra-Point, block {current}")
-    title = f"{len(path)} blocks · {path.times.total / 60:.1f} min · cutter {unit.size(cutter)} {unit.name}"
-    sheet.text(_LEFT, 26, f"Moog Hydra-Point 83-1000 MC · {title}", font_size=15)
+    cut = f"{counted(len(path), 'blocks')} · {path.times.total / 60:.1f} min"
+    title = f"Moog Hydra-Point 83-1000 MC · {cut} · cutter {unit.size(cutter)} {unit.name}"
+    sheet.text(_LEFT, 26, title, font_size=15)
     for row, (line, colour) in enumerate(heading):
         sheet.text(_LEFT, 46 + _LINE * row, line, fill=colour)
     sheet.text(_LEFT, top - 8, f"part, scale {_ratio(scale)}", fill=FAINT)

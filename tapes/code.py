@@ -150,7 +150,8 @@ class Characters(Code):
         """Say that a title comes before the `what` of a tape, and how to leave it out; "" if none does."""
         for label in self.labels(frames):
             cure = f"`pdp8 tape cut --from {label.stop}` leaves it out"
-            return f"frame {label.start}: a title of {len(label)} frames before the {what}; {cure}"
+            title = f"a title of {counted(len(label), 'frames')} before the {what}"
+            return f"frame {label.start}: {title}; {cure}"
         return ""
 
     def lines(self, frames: bytes) -> list[tuple[int, str]]:

@@ -163,7 +163,7 @@ def _read_ep(lines: list[list[str]], words: dict[int, int]) -> int:
     start = -1
     for line in lines:
         first, _, word = "".join(line).lower().replace("0x", "").partition(":")
-        value = _number(word, 16, 1, 3)
+        value = _number(word, 16, 1, 4 if first == "ep" else 3)
         if first == "ep":
             start = value
         else:

@@ -30,8 +30,6 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 class Within(click.types.FloatParamType):
     """A number from `low` (`above`: greater than it) to `high`."""
 
-    unit = ""
-
     def __init__(self, low: float, high: float, above: bool = False) -> None:
         self.low, self.high, self.above = low, high, above
 
@@ -40,14 +38,20 @@ class Within(click.types.FloatParamType):
         number = float(super().convert(value, param, ctx))
         if self.low <= number <= self.high and not (self.above and number == self.low):
             return number
-        start = f"above {self.low:g}" if self.above else f"from {self.low:g}"
-        self.fail(f"{number:g}{self.unit} is not {start} to {self.high:g}{self.unit}", param, ctx)
+        scale, unit = self.unit(ctx)
+        given, low, high = (f"{each * scale:g}" for each in (number, self.low, self.high))
+        start = "above" if self.above else "from"
+        self.fail(f"{given}{unit} is not {start} {low} to {high}{unit}", param, ctx)
+
+    def unit(self, ctx: click.Context | None) -> tuple[float, str]:
+        """Return how many units of a message one is, and their name."""
+        return 1, ""
 
 
 class Inches(Within):
     """A length, with its unit or without: in inches, or millimetres with --mm."""
 
-    name, unit = "inches", " in"
+    name = "inches"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Return the number of inches."""
@@ -58,14 +62,22 @@ class Inches(Within):
                 self.fail(f"{value!r} is not a length, such as .005, .005in or 0.127mm", param, ctx)
         return super().convert(value, param, ctx)
 
+    def unit(self, ctx: click.Context | None) -> tuple[float, str]:
+        """Return the command's unit."""
+        return (_MM, " mm") if _is_metric(ctx) else (1, " in")
+
 
 _MM = 25.4
+
+
+def _is_metric(ctx: click.Context | None) -> bool:
+    return bool(ctx and ctx.params.get("mm"))
 
 
 def _inches(text: str, ctx: click.Context | None) -> float:
     """Return a length, with its unit or in the command's, in inches. Raises ValueError."""
     unit = text.strip()[-2:]
-    metric = unit == "mm" or (unit != "in" and bool(ctx and ctx.params.get("mm")))
+    metric = unit == "mm" or (unit != "in" and _is_metric(ctx))
     number = float(text.strip().removesuffix(unit if unit in ("in", "mm") else ""))
     return number / _MM if metric else number
 

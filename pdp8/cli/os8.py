@@ -8,6 +8,7 @@ import click
 from pdp8 import shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Command, Source, Target, output
+from pdp8.cli.shared.frames import unspelled
 from pdp8.cli.shared.rules import option
 from tapes import dectape, os8
 from tapes.errors import WorkError, naming
@@ -84,8 +85,11 @@ def insert(*, image: str, files: tuple[str, ...], renamed: str | None, form: str
         os8.directory(reel)
     for file in files:
         name, content = Path(file).name if renamed is None else renamed, shelf.read(file)
+        if (kind := _form(name, form)) == "tape":
+            content, note = unspelled(file, content)
+            command.say_of(file, [note] * bool(note))
         with naming(file):
-            reel = os8.insert(reel, name, _packed(content, _form(name, form)))
+            reel = os8.insert(reel, name, _packed(content, kind))
     command.put(output, reel.content())
 
 

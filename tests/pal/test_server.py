@@ -120,17 +120,8 @@ A1;7041
 
 def test_a_document_knows_what_stands_where() -> None:
     known = one(DOCUMENT.rstrip().replace("\n", "\r\n"), "pal8")
-    assert [known.name_at(0, 0, column) for column in range(9)] == [
-        "A1",
-        "A1",
-        "A1",
-        "",
-        "",
-        "B",
-        "B",
-        "",
-        "",
-    ]
+    named = [known.name_at(0, 0, column) for column in range(9)]
+    assert named == ["A1", "A1", "A1", "", "", "B", "B", "", ""]
     assert [known.name_at(0, *at) for at in ((4, 5), (5, 9), (5, 11), (12, 0))] == ["", "LONGNA", "B", ""]
     defined = [(each.name, each.kind, each.value) for each in known.definitions]
     assert defined == [("A1", "tag", 0o200), ("B", "value", 5), ("LONGNA", "tag", 0o201)]

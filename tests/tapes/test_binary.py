@@ -1,6 +1,7 @@
 """BIN and RIM tapes: DEC's own, SIMH's and palbart's reading, and what can be wrong with one."""
 
 import subprocess
+from itertools import product
 from pathlib import Path
 from types import ModuleType
 
@@ -101,6 +102,7 @@ def test_padding_behind_a_tape_is_no_section() -> None:
 LABELS = {
     "a word's frames": "032 032 101",
     "one rubout": "377",
+    "its own sum": "005 005 000 012",
     "blank tape, then letters": "000 000 000 177 011 011 001 000 076 101 101 076 000",
     "seven rows high": "265 231 000 377",
     "letters and leader": "000 177 011 011 001 000 200 200 200",
@@ -221,10 +223,11 @@ def test_what_a_damaged_tape_holds() -> None:
 
 
 def test_without_trailer_one_frame_may_be_behind_the_checksum() -> None:
-    whole = binary.encode({0o200: 1, 0o201: 2, 0o202: 3}).rstrip(b"\x80")
-    for behind, good in ((b"", True), (b"A", True), (b"AB", False), (b"\0\0A", True)):
-        with case(behind):
-            damage = binary.find_damage(binary.read(whole + behind))
+    whole = binary.encode({0o200 + at: at for at in range(9)}).rstrip(b"\x80")
+    ends = ((b"", True), (b"A", True), (b"AB", False), (b"\0\0A", True))
+    for before, (behind, good) in product((b"", FORMAT_BIN), ends):
+        with case(before, behind):
+            damage = binary.find_damage(binary.read(before + whole + behind))
             assert (damage is None) == good, damage
 
 

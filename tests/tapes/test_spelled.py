@@ -1,7 +1,7 @@
 """Words spelled out as text: what courses and tools write, read by its form; nothing else is."""
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from pdp8 import shelf
@@ -63,6 +63,7 @@ def test_a_line_of_bits_for_each_word() -> None:
     st.dictionaries(st.integers(0, 0o77777), st.integers(0, 0o7777), min_size=8),
     st.sampled_from(list(spelled.FORMATS)),
 )
+@example({0o10200 + at: 1 for at in range(8)}, "ep")
 def test_what_is_written_is_read(words: dict[int, int], name: str) -> None:
     text = spelled.FORMATS[name].spell(words)
     if name == "octal-frames":
