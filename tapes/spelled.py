@@ -71,7 +71,7 @@ def found(content: bytes) -> Spelled | None:
     """Return the words that a file spells, None for any other file."""
     first, *rest = in_ascii(content).split("/*")
     text = first + "".join([piece.partition("*/")[2] for piece in rest])
-    lines = [line for line in map(_tokens, lines_of(text)) if line]
+    lines = [line for line in map(_tokens, lines_of(_by_statements(text))) if line]
     lines = lines[next((at for at, line in enumerate(lines) if not _is_heading(line)), 0) :]
     for known in FORMATS.values() if lines else ():
         words: dict[int, int] = {}
@@ -82,6 +82,16 @@ def found(content: bytes) -> Spelled | None:
         if words:
             return Spelled(known.title, words, start)
     return None
+
+
+def _by_statements(text: str) -> str:
+    """Return a memory initialization file with a statement on each line, other text as it is."""
+    known = text.lower().split()
+    if "content" not in known or "begin" not in known:
+        return text
+    code = "".join([piece for at, piece in enumerate(text.split("%")) if at % 2 == 0])
+    code = " ".join([line.partition("--")[0] for line in lines_of(code)])
+    return code.lower().replace("begin", "begin;").replace(";", "\n")
 
 
 def _tokens(line: str) -> list[str]:
@@ -244,7 +254,7 @@ def _read_mif(lines: list[list[str]], words: dict[int, int]) -> int:
     radix = {"address_radix": 16, "data_radix": 16}
     begun = False
     for line in lines:
-        text = " ".join(line).partition("--")[0].lower()
+        text = " ".join(line)
         name, mark, value = (part.strip() for part in text.partition(":" if begun else "="))
         if begun and mark:
             first, many, last = (part.strip() for part in name.strip("[]").partition(".."))

@@ -35,8 +35,8 @@ FORMS = {
     "0200:730012507402\n0250:0002\n0200:\n": "octal addresses and words; it starts at 0200",  # mrieker/pdp8v
     ":06010000C00EA802020F70\n:020150000200AB\n:00000001FF\n": "Intel's hexadecimal records",
     ":060100000ec002a80f0270\n:020150000002AB\n:020000040000FA\n:00000001FF\n": "Intel's hexadecimal records",
-    "WIDTH=12;\nDEPTH=4096; -- words\nADDRESS_RADIX=OCT;\nDATA_RADIX=OCT;\nCONTENT\nBEGIN\n\n"
-    "[0000..0177] : 0000;\n0200 : 7300 1250 7402; -- HLT\n250:2;\nEND;\n": (
+    "WIDTH=12; DEPTH=4096; -- words; 12\n% as in\na listing %\nADDRESS_RADIX=OCT; DATA_RADIX=OCT;\nCONTENT\n"
+    "BEGIN\n\n[0000..0177] : 0000; 0200 : 7300 1250\n7402; -- HLT\n250:2;\nEND;\n": (
         "Altera's memory initialization file"
     ),
     "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
