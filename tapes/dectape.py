@@ -85,6 +85,9 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
             "is no DECtape image of a PDP-8"
         )
     notes = [] if blocks == BLOCKS else [f"{blocks} of {BLOCKS} blocks; the others are taken as 0"]
+    boots = words[:WORDS]
+    if 0o6776 in boots and 0o6777 in boots and not any(0o6761 <= word <= 0o6766 for word in boots):
+        notes.append("block 0 works a TD8E (6776, 6777), which no PDP-8/L had: its system does not boot")
     return Image(words, width), notes
 
 

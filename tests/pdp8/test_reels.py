@@ -46,6 +46,10 @@ def test_an_image_comes_back_byte_for_byte() -> None:
     short, notes = dectape.decode(whole[: 3 * 258])
     assert notes == ["3 of 1474 blocks; the others are taken as 0"]
     assert short.content() == whole[: 3 * 258] + bytes(len(whole) - 3 * 258)
+    for own, said in (((0o6776, 0o6777), 1), ((0o6776, 0o6777, 0o6766), 0), ((0o6776, 0o7777), 0)):
+        system = dectape.blank()
+        system.words[9 : 9 + len(own)] = array("H", own)
+        assert len([note for note in dectape.decode(system.content())[1] if "a TD8E" in note]) == said
     narrow = b"".join(whole[at : at + 256] for at in range(0, len(whole), 258))
     reel = dectape.decode(narrow)[0]
     assert reel.content() == narrow
