@@ -1,24 +1,23 @@
 // Work apart from the page, in a Worker that runs the page's own scripts: no loop of a program stops the page.
 //
-//     page ── [number, what, given] ──► Worker ── [number, made, why not] ──► page
+//     page ── [what, given] ──► Worker ── [made, why not] ──► page            a question when the one before is answered
 
 import { scriptAt } from "../html.mjs";
 
 /** What the page's scripts do in a Worker: `work` by its name. */
 export function serve(/** @type {Record<string, (...given: any[]) => any>} */ work) {
-  globalThis.onmessage = ({ data: [number, what, given] }) => {
+  globalThis.onmessage = ({ data: [what, given] }) => {
     try {
-      globalThis.postMessage([number, work[what](...given)]);
+      globalThis.postMessage([work[what](...given)]);
     } catch (/** @type {any} */ error) {
-      globalThis.postMessage([number, null, String(error.message ?? error)]);
+      globalThis.postMessage([null, String(error.message ?? error)]);
     }
   };
 }
 
 export class Apart {
   constructor() {
-    this.asked = new Map();
-    this.number = 0;
+    this.asked = /** @type {{ what: string; given: unknown[]; seconds: number; resolve: (made: any) => void; reject: (why: Error) => void }[]} */ ([]);
     /** @type {Worker | null} */ this.worker = null;
     this.unable = false; // whether this browser lets none run
   }
@@ -33,32 +32,41 @@ export class Apart {
       this.unable = true;
       this.#end(message ?? "this browser lets no Worker run");
     };
-    worker.onmessage = ({ data: [number, made, why] }) => {
-      const { resolve, reject } = this.asked.get(number) ?? {};
-      this.asked.delete(number);
-      if (why === undefined) resolve?.(made);
-      else reject?.(new Error(why));
-    };
+    worker.onmessage = ({ data: [made, why] }) => this.#answer(made, why);
     return worker;
   }
 
   /** What the Worker makes of the arguments `given`. Throws its error, or one that says that it takes too long. */
   ask(/** @type {string} */ what, /** @type {unknown[]} */ given, /** @type {number} */ seconds) {
-    const worker = this.worker ?? this.#begin();
-    const number = this.number++;
-    const now = performance.now();
-    const due = Math.max(now, ...[...this.asked.values()].map((each) => each.due)) + seconds * 1000; // after what was asked before
-    const made = new Promise((resolve, reject) => this.asked.set(number, { due, resolve, reject }));
-    worker.postMessage([number, what, given]);
-    const late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), due - now);
-    return made.finally(() => clearTimeout(late));
+    return new Promise((resolve, reject) => {
+      if (this.asked.push({ what, given, seconds, resolve, reject }) === 1) this.#next();
+    });
   }
 
-  /** End the Worker, and all that is asked of it; the next question begins another. */
+  /** Give the Worker the first question. */
+  #next() {
+    const [{ what, given, seconds }] = this.asked;
+    try {
+      (this.worker ?? this.#begin()).postMessage([what, given]);
+      this.late = setTimeout(() => this.#end(`it took more than ${seconds} s, and was ended`), seconds * 1000);
+    } catch (/** @type {any} */ error) {
+      this.#answer(null, error.message);
+    }
+  }
+
+  /** Answer the first question, and go on to the next. */
+  #answer(/** @type {unknown} */ made, why = /** @type {string | undefined} */ (undefined)) {
+    clearTimeout(this.late);
+    const first = this.asked.shift();
+    if (why === undefined) first?.resolve(made);
+    else first?.reject(new Error(why));
+    if (this.asked.length) this.#next();
+  }
+
+  /** End the Worker, and what it is at; the next question begins another. */
   #end(/** @type {string} */ why) {
     this.worker?.terminate();
     this.worker = null;
-    for (const { reject } of this.asked.values()) reject(new Error(why));
-    this.asked.clear();
+    this.#answer(null, why);
   }
 }

@@ -59,7 +59,9 @@ export class Mill {
     const tolerance = TOLERANCES[Number(value)];
     /** @type {[number, string]} */ const asked = [tolerance, this.bench.shelf.get("eia.pal").frames.decode("ascii")];
     this.asked = asked;
-    const made = await this.bench.apart.ask("loosened", asked, TAKES).catch((/** @type {Error} */ { message }) => message);
+    await this.making;
+    if (this.asked !== asked) return; // the slider was drawn on
+    const made = await (this.making = this.bench.apart.ask("loosened", asked, TAKES).catch((/** @type {Error} */ { message }) => message));
     if (this.asked !== asked) return;
     if (typeof made === "string") return void (find("loosened").textContent = made);
     const frames = bytes(made);

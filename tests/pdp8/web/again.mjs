@@ -205,6 +205,7 @@ export const cases = {
     const bench = { shelf: { get: () => ({ frames }) }, tabs: { open: nothing }, record: { cutter: {} }, apart: { ask: () => new Promise((done) => (answer = done)) } };
     const mill = new Mill(bench);
     const loosening = mill.loosen({ value: "4" });
+    await soon();
     mill.cut("mine.eia");
     answer([0o40]);
     await loosening;

@@ -90,7 +90,7 @@ export async function drawn(act) {
 function busy() {
   const { apart, afternoon, machine, mill, parts } = globalThis.workbench ?? {};
   if (!apart) return false;
-  return apart.asked.size > 0 || parts.translating || mill.pictures.running || (afternoon.on ? afternoon.playing : machine.processor.run && !machine.waiting.endless);
+  return apart.asked.length > 0 || parts.translating || mill.pictures.running || (afternoon.on ? afternoon.playing : machine.processor.run && !machine.waiting.endless);
 }
 
 const on = (selector) => {
