@@ -8,6 +8,13 @@ const PAGE = 0o200;
 const WIDE = 8; // words a row
 const CELL = html`<td><input type="text" maxlength="4" inputmode="numeric" data-change="core.set"></td>`;
 
+/** Let somebody write a word into a field, which takes no more than `most`; where it cannot be, say so. */
+export function write(/** @type {Bench} */ bench, /** @type {{ ariaLabel: string | null; value: string }} */ { ariaLabel, value }, /** @type {number} */ most, /** @type {(machine: Machine, word: number) => void} */ act) {
+  const word = /^[0-7]+$/.test(value) ? parseInt(value, 8) : NaN;
+  bench.touch((machine) => word <= most && act(machine, word));
+  if (!(word <= most)) bench.tell(`${ariaLabel} ${value}: 0 to ${octal(most, 1)} in octal is allowed`, true);
+}
+
 export class Core {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
@@ -45,9 +52,7 @@ export class Core {
 
   set(/** @type {HTMLInputElement} */ cell) {
     this.seen = [];
-    this.bench.touch(({ processor }) => {
-      if (/^[0-7]{1,4}$/.test(cell.value)) processor.deposit(this.first + this.cells.indexOf(cell), parseInt(cell.value, 8));
-    });
+    write(this.bench, cell, 0o7777, ({ processor }, word) => processor.deposit(this.first + this.cells.indexOf(cell), word));
   }
 
   write() {

@@ -40,8 +40,8 @@ export function* lay(/** @type {Bench} */ bench) {
   put(find("graph"), ours(bench.record.graph));
   embed(bench.tabs);
   for (const row of document.querySelectorAll("[role=toolbar], [role=tablist]")) rove(/** @type {HTMLElement} */ (row));
-  const { exercises, shelf, switches: { card }, tabs, time } = bench;
-  bench.session = new Session(bench, { shelf, machine: bench, card, exercises, tabs, time });
+  const { exercises, parts, shelf, switches: { card }, tabs, time } = bench;
+  bench.session = new Session(bench, { shelf, machine: bench, card, exercises, parts, tabs, time });
   bench.panes = [bench.afternoon, ...Object.keys(PANES).map((name) => /** @type {any} */ (bench)[name]), bench.room];
 }
 

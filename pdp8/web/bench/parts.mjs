@@ -63,8 +63,9 @@ export class Parts {
     this.bench = bench;
     this.translating = /** @type {Machine | null} */ (null); // the machine at it
     this.name = ""; // of the tape that was punched
+    this.given = /** @type {Record<string, Record<string, any>>} */ ({}); // what has been typed for each part
     find("part-name").replaceChildren(...bench.record.parts.map((/** @type {Part_} */ { name }) => new Option(name)));
-    this.pad = new Pad(find("part-pad"), () => this.#drawn());
+    this.pad = new Pad(find("part-pad"), () => (this.#drawn(), this.type()));
     this.ask();
   }
 
@@ -72,25 +73,47 @@ export class Parts {
     return this.bench.record.parts[find("part-name").selectedIndex];
   }
 
-  /** Show the options of the part that is chosen. */
+  /** The part that is chosen, and what has been typed for all. */
+  get kept() {
+    return { name: this.part.name, given: this.given };
+  }
+
+  set kept({ name, given }) {
+    Object.assign(this.given, given);
+    this.choose(name);
+  }
+
+  /** Show the options of the part that is chosen, as they were typed. */
   ask() {
-    find("part-is").textContent = this.part.summary;
-    put(find("part-options"), ours(this.part.form));
-    find("part-pad").parentElement.hidden = this.part.name !== "drawn";
-    if (this.part.name === "drawn") this.#drawn();
+    const { form, name, summary } = this.part, typed = this.given[name] ?? {};
+    find("part-is").textContent = summary;
+    put(find("part-options"), ours(form));
+    find("part-pad").parentElement.hidden = name !== "drawn";
+    if (name === "drawn") {
+      if (typed.heights) this.pad.text = typed.heights;
+      this.#drawn();
+    }
+    for (const [option, value] of Object.entries(typed)) {
+      const input = find("part-options").querySelector(`[name="${CSS.escape(option)}"]`);
+      const [field, own] = input?.type === "checkbox" ? ["checked", Boolean(value)] : ["value", String(value)];
+      if (!input || input[field] === own) continue;
+      input[field] = own;
+      input.closest("details")?.setAttribute("open", "");
+    }
+  }
+
+  /** Keep what is typed. */
+  type() {
+    this.given[this.part.name] = this.typed;
   }
 
   /** Choose a part, with options as they were typed. Throws for one that there is not. */
-  choose(/** @type {string} */ name, /** @type {any} */ typed = {}) {
+  choose(/** @type {string} */ name, typed = this.given[name]) {
     const at = this.bench.record.parts.findIndex((/** @type {Part_} */ part) => part.name === name);
     if (at < 0) throw new Error(`no part program ${name}`);
     find("part-name").selectedIndex = at;
-    if (name === "drawn" && typed.heights) this.pad.text = typed.heights;
+    this.given[name] = typed;
     this.ask();
-    for (const [option, value] of Object.entries(typed)) {
-      const input = find("part-options").querySelector(`[name="${CSS.escape(option)}"]`);
-      if (input) Object.assign(input, input.type === "checkbox" ? { checked: value } : { value: String(value) });
-    }
   }
 
   /** Show the curve that is drawn, and its heights as an option. */

@@ -3,6 +3,7 @@
 import { STATES } from "../../../pal/isa.mjs";
 import { of_word as meaning } from "../../../pal/meaning.mjs";
 import { wrote } from "../../computer/watch.mjs";
+import { write } from "./core.mjs";
 import { find, grouped, octal, seconds } from "../written.mjs";
 
 export class Registers {
@@ -43,10 +44,8 @@ export class Registers {
 
   set(/** @type {HTMLInputElement} */ input) {
     const name = /** @type {"pc" | "ac" | "link"} */ ({ PC: "pc", AC: "ac", L: "link" }[/** @type {"PC" | "AC" | "L"} */ (input.ariaLabel)]);
-    const word = /^[0-7]{1,5}$/.test(input.value) ? parseInt(input.value, 8) : NaN;
+    const { ariaLabel, value } = input;
     input.blur();
-    this.bench.touch((machine) => {
-      if (word <= { pc: machine.memory - 1, ac: 0o7777, link: 1 }[name]) machine[name] = word;
-    });
+    write(this.bench, { ariaLabel, value }, { pc: this.bench.machine.memory - 1, ac: 0o7777, link: 1 }[name], (machine, word) => (machine[name] = word));
   }
 }

@@ -81,10 +81,7 @@ AFTERNOON = "workbench.afternoon.go(6e10);"
 CUT = "workbench.mill.cut('circle.eia');"
 EXERCISES = f"{opened('exercises')} workbench.exercises.open('add');"
 PC8 = "document.querySelector('#pc8').open = true;"
-PARTS = (
-    f"{opened('parts')} document.getElementById('part-name').value = 'circle';"
-    "document.getElementById('part-name').dispatchEvent(new Event('change'));"
-)
+PARTS = f"{opened('parts')} workbench.parts.choose('circle', {{}});"
 DOOR = "document.querySelector('#part-options details').open = true;"
 READY = (
     f"{PARTS} workbench.parts.name = 'circle.asc'; workbench.teletype.mount('circle.asc');"
