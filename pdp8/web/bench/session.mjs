@@ -16,8 +16,8 @@ export class Session {
     addEventListener("pagehide", () => this.keep());
     document.addEventListener("visibilitychange", () => document.hidden && this.keep());
     addEventListener("beforeunload", (event) => {
-      const { exercises: { answers, marks }, programs, drives } = this.bench;
-      const refused = this.keep() || [programs, answers, marks].some((store) => store.refused);
+      const { exercises: { answers, given, marks }, programs, drives } = this.bench;
+      const refused = this.keep() || [programs, answers, given, marks].some((store) => store.refused);
       if (refused || drives.units.some((_, unit) => drives.unsaved(unit))) event.preventDefault();
     });
   }

@@ -6,10 +6,10 @@ export const LONGEST = 8000; // characters of a link that mail and chat leave wh
 /** What the address holds, or null. Throws where it is damaged. */
 export async function opened() {
   const [, kind, text] = /^#(s|exercise)=(.*)$/.exec(location.hash) ?? [];
-  if (kind === "exercise") return { exercise: decodeURIComponent(text) };
   if (!text) return null;
   if (text.length > 2 * LONGEST) throw new Error(`it has ${text.length} characters; ${2 * LONGEST} are allowed`);
   try {
+    if (kind === "exercise") return { exercise: decodeURIComponent(text) };
     return JSON.parse(await pack.unpacked(text.replaceAll("-", "+").replaceAll("_", "/")));
   } catch (error) {
     throw new Error("it is damaged or cut short", { cause: error });

@@ -172,16 +172,16 @@ export const cases = {
   },
   "before anything is lost it is asked": async () => {
     const { Session } = await get("bench/session");
-    const seen = ["", "answers", "marks", "programs", "reel 0", "reel 1"].map((name) => {
+    const seen = ["", "answers", "given", "marks", "programs", "reel 0", "reel 1"].map((name) => {
       const drives = { units: [0, 1], unsaved: (unit) => name === `reel ${unit}` };
-      const [answers, marks, programs] = ["answers", "marks", "programs"].map((of) => ({ refused: of === name ? "full" : "" }));
+      const [answers, given, marks, programs] = ["answers", "given", "marks", "programs"].map((of) => ({ refused: of === name ? "full" : "" }));
       page.heard.beforeunload = [];
-      new Session({ editor: { keep: nothing }, exercises: { answers, marks }, programs, drives }, {});
+      new Session({ editor: { keep: nothing }, exercises: { answers, given, marks }, programs, drives }, {});
       let asked = false;
       page.hear("beforeunload", { preventDefault: () => (asked = true) });
       return asked;
     });
-    return [seen, [false, true, true, true, true, true]];
+    return [seen, [false, true, true, true, true, true, true]];
   },
   "of many tapes the newest are kept": async () => {
     page.querySelectorAll = () => [];
