@@ -348,6 +348,7 @@ export class Editor {
       this.#write(true);
     } else if (key === "Tab" && !event.shiftKey && writes) {
       event.preventDefault();
+      if (document.execCommand?.("insertText", false, "\t")) return; // the one way that the browser undoes
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.changed();
     } else if (key.length === 1 && !modified(event)) this.#write(true);

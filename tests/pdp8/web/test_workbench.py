@@ -257,6 +257,10 @@ def test_tab_goes_through_the_page(page: Page) -> None:
     source.click()
     page.keyboard.press("Control+Home")
     page.keyboard.press("Tab")
+    if page.evaluate("!!document.execCommand"):  # a browser undoes it, and what was typed before
+        page.keyboard.press("Control+z")
+        assert source.input_value() == before
+        page.keyboard.press("Tab")
     page.keyboard.press("Shift+Tab")
     assert source.input_value() == f"\t{before}"
     page.evaluate("workbench.editor.lay('eia.pal')")
