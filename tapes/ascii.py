@@ -27,6 +27,7 @@ _MANY = 20
 _SPLICE = 6
 """A tape is taken for two pieces of different parity only if that saves so many faults."""
 _LIKELIEST = ("none", "mark", "even", "odd")
+_BEYOND = bytes(range(0o200, 0o400))
 _SILENT = bytes([0o000, 0o200, 0o177, 0o377])  # blank, leader and RUBOUT, with and without channel 8
 
 _NAMES = {
@@ -93,14 +94,14 @@ class _Ascii(Characters):
         return lines_of(frames.translate(strip.PARITIES["none"]).decode("ascii"), 0, "\0\r\x7f")
 
     def likelihood(self, frames: bytes) -> float:
-        """Return MOSTLY if nine in ten frames are characters that a text has."""
+        """Return MOSTLY if nine in ten frames are characters that a text has, or it is a file in UTF-8."""
         _, content, _ = strip.strip(frames)
         if not strip.begins_as_words(frames, content):
             content = content.translate(None, strip.FILL)
         others = content.translate(None, _FIGURES)
         if len(content) > 8 and max(content) < 0o100 and 2 * len(others) > len(content):
             return 0.0  # text without letters is figures; this is a tape of six levels
-        return MOSTLY if nearly_all(content, strip.WRITING) else 0.0
+        return MOSTLY if nearly_all(content, strip.WRITING) or _in_utf_8(frames) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
         codes = frames.translate(strip.PARITIES["none"])
@@ -150,6 +151,15 @@ class _Ascii(Characters):
             "has line feeds but no carriage returns: no block will end. "
             "A proper tape is made from text with: pdp8 tape punch FILE -o FILE.asc"
         )
+
+
+def _in_utf_8(frames: bytes) -> bool:
+    """Whether it is a text in UTF-8 with characters beyond ASCII, whose bytes no Teletype has."""
+    try:
+        frames.decode("utf-8")
+    except ValueError:  # it is not UTF-8
+        return False
+    return not frames.isascii() and nearly_all(frames.translate(None, _BEYOND), strip.WRITING)
 
 
 def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]:

@@ -67,7 +67,7 @@ def test_eia(blocks: list[str], leader: int, ended_first: bool) -> None:
         *((LEADER + text, "ascii") for text in (b"ABCDE\n", b"ABCDE\r")),
         (octal("200 105 040 001 147 040 003 040 040 040 001 001 200"), "eia"),
         (b"*200\nSTART,\tCLA CLL\n\tHLT\n$\n", "ascii"),
-        ("/ ÉTÉ: a comment of our day, longer than its accents\n\tHLT\n$\n".encode(), "ascii"),
+        ("/ 二つの数を足す\n\tHLT\n$\n".encode(), "ascii"),
         (b"ABCDEFGHI\1", "ascii"),  # nine in ten
         (b"ABCDEFGH\1", "unknown"),
         (octal("001 002 004 010 001 002 004 010 001 003 200"), "eia"),
