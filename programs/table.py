@@ -235,7 +235,7 @@ class _Table:
 
     def _is_skipped(self, row: _Row) -> bool:
         """Whether a row without a point is a title, of which a unit is taken; else it is a header."""
-        text, names = row.text.strip(), row.names
+        text, names = row.text.strip(), self._names(row)
         for unit in (words[-1] for words in map(_words, row.cells) if words and words[-1] in _UNITS):
             if self._unit and _UNITS[unit] != _UNITS[self._unit] and self._unit_line == row.number:
                 raise row.error(f"{text[:60]!r} has two units of length")
@@ -245,7 +245,7 @@ class _Table:
         named = any(name & (_X_NAMES | _ANGLES) for name in names)
         if named and (alike or not row.comment) and (first or not digits):
             return False
-        if first and alike and len(names) > 2 and not (digits or row.comment or self._mark == " "):
+        if first and alike and len(row.cells) > 2 and not (digits or row.comment or self._mark == " "):
             return set().union(*names) <= _UNITS.keys()
         apart = self._mark in text and self._mark != " "
         if digits and not (first and _TITLE.match(text) and not (apart and row.numbers)):
@@ -254,12 +254,18 @@ class _Table:
             self._notes.append(f"line {row.number}: {text[:40]!r} is no point: skipped")
         return True
 
+    def _names(self, row: _Row) -> list[set[str]]:
+        """Return the words of each cell, or each word, if other marks part them than part the numbers."""
+        words = [{_AXIS.sub("", word)} for word in _words(row.text) if word not in _UNITS]
+        return words if len(words) == self._columns != len(row.cells) else row.names
+
     def _find_columns(self, header: _Row) -> None:
         """Find the columns of x and y, or of a radius and an angle, by their names."""
-        names = [set[str]()] * (len(header.cells) == self._columns - 1) + header.names
+        found = self._names(header)
+        names = [set[str]()] * (len(found) == self._columns - 1) + found
         for xs, ys, polar in ((_X_NAMES, _Y_NAMES, False), (_RADII, _ANGLES, True)):
             x, y = ([at for at, name in enumerate(names) if name & each] for each in (xs, ys))
-            if len(x) == len(y) == 1 and max(*x, *y) < self._columns:
+            if len(x) == len(y) == 1 and x != y and max(*x, *y) < self._columns:
                 self._x, self._y = x[0], y[0]
                 self._turn = self._turn_of(names[y[0]]) if polar else 0
                 return

@@ -1,6 +1,7 @@
 """Points as spreadsheets and CAD programs write them."""
 
 from collections.abc import Iterable
+from itertools import product
 from math import cos, hypot, pi, sin
 
 import pytest
@@ -39,7 +40,6 @@ FILES = {
     "R": lines(rows('"{2}" {0!r} {1!r}'), '"x" "y"'),
     "gnuplot": "\n\n# Curve 0 of 1\n# x y type\n" + lines(rows("{0:.5f} {1:.5f}  i")),
     "numbered": lines(rows("{2},{0:.4f},{1:.4f},0")),
-    "exchanged": lines(rows("{1:.4f},{0:.4f}"), "Y,X"),
     "decimal commas by commas": lines(german("{0:.4f}, {1:.4f}")),
     "JSON": "[" + ",\n".join(rows("[{0:.4f}, {1:.4f}]")) + "]\n",
     "Excel, micrometres": lines(german("{0:.1f};{1:.1f}", 25400), "X [µm];Y [µm]"),
@@ -63,7 +63,6 @@ FILES = {
     "pgfplots": "\\addplot coordinates {" + " ".join(rows("({0:.6f},{1:.6f})")) + "};\n",
     "JSON by names": "[" + ", ".join(rows('{{"x": {0:.6f}, "y": {1:.6f}}}')) + "]\n",
     "names": lines(rows("X: {0:.4f} mm, Y: {1:.4f} mm", 25.4)),
-    "numpy": lines(rows("{1:.18e},{0:.18e}"), "# y,x"),
     "a measuring machine": lines(rows("{2},{1:.4f},{0:.4f},0"), "PointID,PosY,XCoord,PosZ"),
     "a unit above": lines(rows("{0:.3f} {1:.3f} // top", 25.4), "% Units: millimeters"),
     "Matlab": lines(rows("  {0:.4f}, {1:.4f};"), "P = [ ...") + "];\n",
@@ -82,6 +81,16 @@ def test_a_file_is_read(name: str, code: str) -> None:
     )
 
 
+MARKS = (",", ", ", " , ", ";", " | ", " ", "\t")
+
+
+def test_names_may_stand_apart_by_another_mark_than_numbers() -> None:
+    for mark, other, names, comment in product(MARKS, MARKS, ("yx", "zyx"), ("", "# ")):
+        rows = (mark.join(each[-len(names) :]) for each in ("021", "043", "015"))
+        found = read(lines(rows, comment + other.join(names)).encode())
+        assert found.places == [(1, 2), (3, 4), (5, 1)], (mark, other, names)
+
+
 def test_a_title_says_no_unit_by_chance() -> None:
     assert not any("lengths" in note for note in read(b"Cam made in Germany\n1,2\n3,4\n").notes)
 
@@ -97,10 +106,7 @@ NUMBERED = "the first column numbers the points: x and y are the next two"
         ("1;1;2\n2;3;4\n3;5;1\n", [NUMBERED]),
         ("1,2\n3,4\nx,y\n5,1\n", []),
         ("# the x axis of it\n1 2\n3 4\n5 1\n", []),
-        (
-            "# made;by;hand\n1;1;2\n2;3;4\n3;5;1\n",
-            [NUMBERED],
-        ),
+        ("# made;by;hand\n1;1;2\n2;3;4\n3;5;1\n", [NUMBERED]),
         (
             "Nr. 7;Blatt 2;Nocken\nP1;1;2\nP2;3;4\nP3;5;1\n",
             ["line 1: 'Nr. 7;Blatt 2;Nocken' is no point: skipped"],
