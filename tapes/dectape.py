@@ -98,7 +98,7 @@ def is_image(content: bytes, name: str = "") -> bool:
 
 def _unmarked(content: bytes) -> bytes:
     """Return what is behind the mark of Jones' emulator."""
-    return content[len(_MARK) :] if content.startswith(_MARK) else content
+    return content[len(_MARK) :] if content[: len(_MARK)] == _MARK else content
 
 
 def packed(words: "array[int]") -> bytes:

@@ -52,7 +52,7 @@ export class Drives {
 
   /** Mount a reel on the first drive that is free, or on the last one. Throws for what is none. */
   mount(/** @type {string} */ name, /** @type {Bytes} */ frames) {
-    const [image] = decode(frames);
+    const [image, notes] = decode(frames);
     const { bench } = this;
     if (!this.control) this.#fit();
     const { drives } = /** @type {TC08} */ (this.control);
@@ -63,7 +63,9 @@ export class Drives {
     bench.touch(() => drives[unit].mount(image));
     bench.remember(); // no step back restores another reel
     find("drives").open = true;
-    bench.say(`${name} is on DECtape drive ${unit}${before}; the machine has ${bench.machine.memory} words of core.${unit ? "" : " Press Boot drive 0"}`);
+    const said = [`${name} is on DECtape drive ${unit}${before}; the machine has ${bench.machine.memory} words of core`, ...notes];
+    if (unit === 0 && !/does not boot/.test(said.join())) said.push("Press Boot drive 0");
+    bench.say(said.join(". "));
   }
 
   /** Put the machine that is there into one with 8K and a TC08. */

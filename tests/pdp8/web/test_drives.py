@@ -81,6 +81,19 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     until(page, "document.querySelector('#core th').textContent === '7600'")
 
 
+def test_a_system_that_does_not_boot_is_named_and_not_to_be_booted(page: Page) -> None:
+    mount = (
+        "(all) => { workbench.drives.mount('own', new Uint8Array(380292).fill(0).map((_, at) => all[at])); }"
+    )
+    for words, end in (
+        ([0xFE, 13, 0xFF, 13], "its system does not boot"),
+        ([0xFE, 13], "Press Boot drive 0"),
+    ):
+        page.evaluate(mount, words)
+        assert page.evaluate("workbench.why").endswith(end)
+        page.evaluate("workbench.drives.takeOff({ value: '0' })")
+
+
 _WRITTEN = """async (act) => {
   const { drives } = workbench, saved = [];
   const asks = () => !dispatchEvent(new Event("beforeunload", { cancelable: true }));
