@@ -56,8 +56,10 @@ def encode(text: str, parity: str = "mark", fill: int = 6) -> bytes:
 
 
 def decode(frames: bytes) -> str:
-    r"""Return the text, "\n" for CR LF, CR or LF; channel 8, blanks, leader and RUBOUTs are ignored."""
-    codes = frames.translate(strip.PARITIES["none"], _SILENT)
+    r"""Return the text, "\n" for CR LF, CR or LF, without the ^Z at its end; channel 8, blanks, leader and
+    RUBOUTs are ignored.
+    """
+    codes = frames[: strip.text_end(frames)].translate(strip.PARITIES["none"], _SILENT)
     return codes.decode("ascii").replace("\r\n", "\n").replace("\r", "\n")
 
 
@@ -115,6 +117,9 @@ class _Ascii(Characters):
             ends = f"{returns:,} CR, {feeds:,} LF, {codes.count(RUBOUT):,} RUBOUT"
             ends += f", {pages:,} FF" * (pages > 0)
             rows.append(("line ends", ends))
+        end = strip.text_end(frames)
+        if end < strip.paper_end(frames):
+            rows.append(("file end", f"^Z at frame {end}, with which OS/8 and CP/M end a file"))
         if feeds and not returns:
             warning = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"
             rows.append(("warning", warning))
@@ -131,8 +136,11 @@ class _Ascii(Characters):
         if not pieces:
             return None
         ends = [end for _, end in pieces]
+        closes = strip.text_end(frames)
 
         def obeyed(at: int, frame: int) -> bool:
+            if at >= closes:
+                return True
             piece = 0
             while ends[piece] <= at:
                 piece += 1

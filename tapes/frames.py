@@ -94,6 +94,14 @@ def paper_end(frames: bytes) -> int:
     return len(frames.rstrip(bytes([BLANK])))
 
 
+def text_end(frames: bytes) -> int:
+    """Return where a text ends: before the ^Z with which OS/8 and CP/M end a file, or with the paper."""
+    end = paper_end(frames)
+    while end > 0 and frames[end - 1] & 0o177 == 0o032:
+        end -= 1
+    return end
+
+
 def has_leader(frames: bytes) -> bool:
     """Tell whether a tape begins with a frame that may be lost: blank, or leader of DEC's loader formats."""
     return frames[:1] in (bytes([BLANK]), bytes([LEADER]))

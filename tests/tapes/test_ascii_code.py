@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import ascii
+from tapes import ascii, doubts
 from tapes.errors import TapeError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
@@ -43,6 +43,10 @@ def test_what_is_punched_is_read(text: str, parity: str, fill: int) -> None:
         ("101 015 102 012 103", "A\nB\nC"),
         ("101 015 012 015 012", "A\n\n"),
         ("", ""),
+        ("101 232 000 000", "A"),  # ^Z ends a file of OS/8 or CP/M
+        ("101 032 032", "A"),
+        ("101 232 102", "A\x1aB"),
+        ("232", ""),
     ],
 )
 def test_lines_however_they_end(tape: str, text: str) -> None:
@@ -74,3 +78,14 @@ def test_parity_is_told_from_the_characters(parity: str) -> None:
     assert dict(ascii.ASCII.report(tape))["parity"] == parity
     assert dict(ascii.ASCII.report(octal("301 101 303")))["parity"] == "mixed"
     assert ascii.ASCII.rule(octal("301 102"), {0, 1}) is None, "every character is in doubt"
+
+
+@pytest.mark.parametrize("parity", ["mark", "even", "odd", "none"])
+def test_the_end_of_a_file_obeys_no_parity(parity: str) -> None:
+    tape = ascii.encode("TAD HOLD\n" * 5, parity, 0)
+    rule = ascii.ASCII.rule(tape)
+    assert rule
+    for end in (b"\x1a", b"\x9a"):
+        assert doubts.find(tape + end + bytes(9)) == []
+        assert dict(ascii.ASCII.report(tape + end))["file end"].startswith(f"^Z at frame {len(tape)}, ")
+        assert len(doubts.find(tape + end + tape)) == (not rule.obeyed(0, end[0]))
