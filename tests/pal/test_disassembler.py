@@ -147,10 +147,11 @@ $
         *("SUB,\t0", "ISZ C", "JMP I SUB", "HLT", "K,\t7402", "C,\t1200", "$"),
     ]
     assert "K,\tHLT" not in disassemble(assembly.words, assembly.symbols)
-    above = {at | 0o30000: word for at, word in assembly.words.items()}
-    for entry in (0o200, 0o30200):
-        again = disassemble(above, assembly.symbols, [entry]).replace("FIELD 3\n", "").replace("/3", "/")
+    above = {at | 0o40000: word for at, word in assembly.words.items()}
+    for entry in (0o200, 0o40200):
+        again = disassemble(above, assembly.symbols, [entry]).replace("FIELD 4\n", "").replace("/4", "/")
         assert again == made
+    assert "ISZ" in disassemble(above | {0o10000: 5}, {}, [0o40200]), "of several fields it says its own"
 
 
 def test_what_a_skip_passes_over_to_is_code() -> None:
