@@ -103,7 +103,7 @@ class _Ascii(Characters):
         others = content.translate(None, _FIGURES)
         if len(content) > 8 and max(content) < 0o100 and 2 * len(others) > len(content):
             return 0.0  # text without letters is figures; this is a tape of six levels
-        return MOSTLY if nearly_all(content, strip.WRITING) or _in_utf_8(frames) else 0.0
+        return MOSTLY if nearly_all(content, strip.WRITING) or utf_8(frames) else 0.0
 
     def report(self, frames: bytes) -> list[Row]:
         codes = frames.translate(strip.PARITIES["none"])
@@ -120,6 +120,8 @@ class _Ascii(Characters):
         end = strip.text_end(frames)
         if end < strip.paper_end(frames):
             rows.append(("file end", f"^Z at frame {end}, with which OS/8 and CP/M end a file"))
+        for strange in [char for char in utf_8(frames) if not char.isascii()][:1]:
+            rows.append(("warning", f"a text in UTF-8: {strange!r} is no ASCII character"))
         if feeds and not returns:
             warning = "LF without CR: no Teletype would return its carriage; `pdp8 tape punch` punches CR LF"
             rows.append(("warning", warning))
@@ -132,7 +134,7 @@ class _Ascii(Characters):
 
     def rule(self, frames: bytes, doubtful: Collection[int] = ()) -> Rule | None:
         """Return the parity of nine in ten characters, or of all of a few; a spliced tape has several."""
-        pieces = _parities(frames, doubtful)
+        pieces = [] if utf_8(frames) else _parities(frames, doubtful)
         if not pieces:
             return None
         ends = [end for _, end in pieces]
@@ -161,13 +163,13 @@ class _Ascii(Characters):
         )
 
 
-def _in_utf_8(frames: bytes) -> bool:
-    """Whether it is a text in UTF-8 with characters beyond ASCII, whose bytes no Teletype has."""
+def utf_8(frames: bytes) -> str:
+    """Return the text of a file in UTF-8 with letters beyond ASCII, whose bytes no Teletype has, else ""."""
     try:
-        frames.decode("utf-8")
+        text = frames.decode("utf-8")
     except ValueError:  # it is not UTF-8
-        return False
-    return not frames.isascii() and nearly_all(frames.translate(None, _BEYOND), strip.WRITING)
+        return ""
+    return text if nearly_all(frames.translate(None, _BEYOND), strip.WRITING) and not frames.isascii() else ""
 
 
 def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]:

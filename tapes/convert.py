@@ -10,7 +10,7 @@ or it has LF without CR, as a text file has.
 
 from typing import Final
 
-from tapes import codes, doubts, eia, frames, octal, redundancy, spelled
+from tapes import ascii, codes, doubts, eia, frames, octal, redundancy, spelled
 from tapes.code import Characters
 from tapes.errors import TapeError, TextError
 from tapes.loaders import Words
@@ -37,6 +37,8 @@ def convert(
     TextError for what cannot be, for doubtful frames without `accept`, and for damage without `force`.
     """
     code = codes.named(source)
+    if code is codes.ASCII and ascii.utf_8(content):
+        source, code = TEXT, codes.UNKNOWN
     if source == OCTAL:
         content = octal.encode(typed(content))
         code = codes.recognise(content)

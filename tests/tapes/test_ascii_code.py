@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tapes import ascii, doubts
-from tapes.errors import TapeError
+from tapes import ascii, convert, doubts
+from tapes.errors import TapeError, TextError
 from tapes.frames import leader
 from tests.conftest import assert_same_tape
 from tests.tapes.strips import octal
@@ -89,3 +89,14 @@ def test_the_end_of_a_file_obeys_no_parity(parity: str) -> None:
         assert doubts.find(tape + end + bytes(9)) == []
         assert dict(ascii.ASCII.report(tape + end))["file end"].startswith(f"^Z at frame {len(tape)}, ")
         assert len(doubts.find(tape + end + tape)) == (not rule.obeyed(0, end[0]))
+
+
+def test_a_letter_in_utf_8_is_no_wrong_hole() -> None:
+    text = "/ COPYRIGHT © 2017, AS A FILE OF THE PIDP-8 BEGINS\r\n*200\r\n\tHLT\r\n$\r\n"
+    tape = text.encode()
+    assert doubts.find(tape) == []
+    assert dict(ascii.ASCII.report(tape))["warning"] == "a text in UTF-8: '©' is no ASCII character"
+    assert convert.convert(tape, "ascii", "text") == text.replace("\r", "").encode()
+    with pytest.raises(TextError, match="line 1, column 13: '©' is no ASCII character"):
+        convert.convert(tape, "ascii", "ascii")
+    assert [doubt.frame for doubt in doubts.find(tape.replace("©".encode(), b"\302"))] == [12]
