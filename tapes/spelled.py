@@ -10,8 +10,9 @@
     intel-hex   :02010000C00E2F          Intel's records, two bytes a word, the low one first, as naken_asm's
     mif         080 : ec0 2a8;           Altera's memory initialization file, in the radix that its head names
 
-A file is one of these if each of its lines is; what follows `;`, `#`, `//`, or `/` after words is a comment,
-and what is between `/*` and `*/`. A heading may stand above, such as `Address  Contents` and a rule.
+A file is one of these if each of its lines is; a comment is what follows `;`, `#`, `//`, or `/` first or
+after words, and what is between `/*` and `*/`. A heading may stand above, such as `Address Contents` and a
+rule.
 In Intel's records the high byte may come first too, if the words say so.
 """
 
@@ -90,15 +91,22 @@ def _by_statements(text: str) -> str:
     if "content" not in known or "begin" not in known:
         return text
     code = "".join([piece for at, piece in enumerate(text.split("%")) if at % 2 == 0])
-    code = " ".join([line.partition("--")[0] for line in lines_of(code)])
+    code = " ".join([_code(line, ("--", "//", "#")) for line in lines_of(code)])
     return code.lower().replace("begin", "begin;").replace(";", "\n")
 
 
 def _tokens(line: str) -> list[str]:
     """Return what is on a line without its comment."""
-    for mark in (";", "#", "//"):
+    return _code(line, (";", "#", "//")).strip().removeprefix("sim>").split()
+
+
+def _code(line: str, marks: tuple[str, ...]) -> str:
+    """Return a line without a comment, which begins with one of the marks, or the whole line with / or ;."""
+    if line.strip().startswith(("/", ";")):
+        return ""
+    for mark in marks:
         line = line.partition(mark)[0]
-    return line.strip().removeprefix("sim>").split()
+    return line
 
 
 def _is_heading(line: list[str]) -> bool:

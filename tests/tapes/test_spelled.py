@@ -31,7 +31,7 @@ FORMS = {
     "0o200 0o7300\n0o201 0o1250\n0o202 0o7402\n0o250 0o0002\n": "octal addresses and words",
     "dep -m 200 7300\nd 201 1250\nd 202 7402\nd 250 2\n": "deposits of a SIMH script",
     "@80\n0b111011000000\n0b001010101000\n0b111100000010\n@a8\n0b000000000010\n": "lines of twelve bits",
-    "0200: 7300 1250 7402\n0250: 0002\n": "octal addresses and words",
+    "/ A sum\n0200: 7300 1250 7402\n / data\n0250: 0002\n": "octal addresses and words",
     "0200:730012507402\n0250:0002\n0200:\n": "octal addresses and words; it starts at 0200",  # mrieker/pdp8v
     ":06010000C00EA802020F70\n:020150000200AB\n:00000001FF\n": "Intel's hexadecimal records",
     ":060100000ec002a80f0270\n:020150000002AB\n:020000040000FA\n:00000001FF\n": "Intel's hexadecimal records",

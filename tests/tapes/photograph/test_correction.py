@@ -181,6 +181,7 @@ def test_on_the_page_strips_change_places(browser: "Browser", tmp_path: Path) ->
     assert tape() == b"\4\5\1\2\3"
     page.get_by_label("strip 3: 2 frames of a.jpg; torn").check()
     page.get_by_title("strip 3 earlier").click()
+    assert page.evaluate("document.activeElement.title") == "strip 3 earlier", "the focus moves with it"
     page.get_by_label("strip 2").uncheck()
     assert tape() == b"\6\7\1\2\3"
 
