@@ -12,6 +12,7 @@ import click
 from pdp8 import companion, shelf
 from pdp8.cli.shared import command
 from pdp8.cli.shared.arguments import Source
+from pdp8.cli.shared.frames import unspelled
 from pdp8.cli.shared.rules import field, flag, of, option
 from tapes.errors import TapeError, WorkError, naming
 from tapes.errors import named as named_error
@@ -378,7 +379,7 @@ def _made_for(tape: Tape, path: "Path") -> Nominal | None:
     read = [path]
     if tape.strict:  # the first block may be left out
         with suppress(TapeError):
-            read.append(machine.cut(shelf.read(tape.name)))
+            read.append(machine.cut(unspelled(tape.name, shelf.read(tape.name))[0]))
     digests = [companion.digest(block.digits for block in each.blocks) for each in read]
     name = companion.beside(tape.name)
     if os.path.isfile(name) and companion.is_one(text := shelf.read_text(name)):
@@ -408,8 +409,8 @@ def cut_so_far(tape: Tape, settings: "Settings | None" = None) -> tuple["Path", 
     """Return the path and the error that stopped the machine, if any; raise it if the path is empty."""
     from nc import diagnosis, machine
 
-    frames = shelf.read(tape.name)
-    command.say_of(tape.name, diagnosis.notes(frames, tape.strict))
+    frames, note = unspelled(tape.name, shelf.read(tape.name))
+    command.say_of(tape.name, [*[note] * bool(note), *diagnosis.notes(frames, tape.strict)])
     with naming(tape.name):
         try:
             return machine.cut(frames, strict=tape.strict, settings=settings or machine.Settings()), None
