@@ -107,6 +107,7 @@ def converse(made: Monitor, terminal: "Terminal | None" = None) -> None:
 def sit_down(
     machine: Machine,
     listing: Listing,
+    dialect: str,
     mounted: Reels | None,
     feed: "Feed",
     max_time: float | None,
@@ -133,7 +134,7 @@ def sit_down(
     if not left:
         return stop
     made = Monitor(terminal.say, machine, listing)
-    made.realtime, made.waiting_tapes = realtime, feed.names
+    made.dialect, made.realtime, made.waiting_tapes = dialect, realtime, feed.names
     feed.idle = lambda: terminal.asked() or made.stopping
     if mounted is not None:
         made.reels = mounted

@@ -418,7 +418,8 @@ class _Run:
             from pdp8.cli.monitor import sit_down
 
             pace, follow = (options.max_time, options.realtime), partial(self._follow, outputs)
-            return partial(sit_down, self.machine, self.listing, self.mounted, self.feed, *pace, follow)
+            of_program = self.listing, options.dialect
+            return partial(sit_down, self.machine, *of_program, self.mounted, self.feed, *pace, follow)
         if options.line is not None and sys.platform != "win32":  # as _check_options has it
             from pdp8.cli.running.line import opened
 

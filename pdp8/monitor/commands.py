@@ -1,6 +1,5 @@
 """Every command of the monitor by its name."""
 
-import os
 import re
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
@@ -123,7 +122,7 @@ def if_(monitor: Monitor, text: str) -> None:
     found = _IF.fullmatch(text.strip())
     if not found:
         raise MonitorError("if [not] exist FILE COMMAND expected; to test a register there is assert")
-    if os.path.exists(found[2].strip('"')) != bool(found[1]):
+    if shelf.has(found[2].strip('"')) != bool(found[1]):
         do(monitor, found[3])
 
 

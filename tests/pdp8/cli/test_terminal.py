@@ -251,11 +251,11 @@ def test_the_monitor_has_what_the_run_had_and_all_that_it_punches(
     monkeypatch.setattr(keyboard, "create_input", lambda: keys)
     monkeypatch.setattr(monitor, "converse", converse)
     with folder(READS):
-        line = "pdp8 run a.pal --keyboard --realtime --reader b --reader c --device dectape --punch p"
-        assert call(line, terminal=True)[0] == 0
+        more = "--realtime --reader b --reader c --device dectape --punch p --dialect pal3"
+        assert call(f"pdp8 run a.pal --keyboard {more}", terminal=True)[0] == 0
         assert Path("p").read_bytes().endswith(b"\xff")
     assert (made[0].realtime, made[0].waiting_tapes, "dt0" in made[0].reels.places) == (True, ["c"], True)
-    assert made[0].address("N") == 0o201
+    assert (made[0].address("N"), made[0].dialect) == (0o201, "pal3")
 
 
 def test_a_silent_pipe_holds_no_key_up_and_is_whole_after_a_step_back(
