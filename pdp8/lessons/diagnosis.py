@@ -77,7 +77,7 @@ def end(answer: Answer, trial: Trial, outcome: Outcome, whole: Trial) -> tuple[s
         machine = last(answer, whole, outcome)
         before = machine.values()
         machine.run(instructions=1)
-        flags = [device.code for device in machine.bus if device.flag]
+        flags = ending.requests(machine)
         machine.put(before)
         why = tuple(ending.departure(machine, stop.pc, answer.words, flags))
         how = LEFT if why[-1].what == ending.LEFT else JUMPED

@@ -31,6 +31,7 @@ KEY = "key"
 READER = "high-speed reader"
 PUNCH = "high-speed punch"
 PRINTER = "printer"
+FLAG = "flag"
 NO_DEVICE = "no device"
 LOOP = "loop"
 WITHIN = "called from within"
@@ -54,6 +55,9 @@ _SHORT = 20_000_000
 """Instructions that are run again where nothing shows that the program has left its words."""
 _LOADERS = 0o7600
 """DEC's loaders, RIM and BIN, may be from here on; a program may jump to them."""
+_ION = 0o6001
+_FIELDS = 0o2
+"""The first digit of the codes of the memory extension, whose IOTs test nothing."""
 _WAITS = {0o01: READER, 0o02: PUNCH, 0o03: KEY, 0o04: PRINTER}
 
 
@@ -136,7 +140,7 @@ def ended(stop: Stop, machine: Machine) -> str:
         return f"the reader ran out of tape, and the program waits for it at {stop.pc:04o}"
     if stop.reason is not Reason.IDLE:
         return f"stopped before {stop.pc:04o}"
-    waits = [why.what for why in stop.why if why.what in _WAITS.values() or why.what == NO_DEVICE]
+    waits = [why.what for why in stop.why if why.what in (*_WAITS.values(), FLAG, NO_DEVICE)]
     if KEY in waits:
         return f"the program waits for a key at {stop.pc:04o}"
     if waits:
@@ -185,6 +189,7 @@ def said(why: Why, listing: Listing, core: Core) -> str:
         PUNCH: f"It waits for the high-speed punch at {at}, which was sent nothing: a PLS raises its flag.",
         PRINTER: f"It waits for the printer's flag at {at}: no character is on its way; "
         "a TLS raises the flag.",
+        FLAG: f"It waits for the flag of device {why.code:02o} at {at}: the device has nothing left to do.",
         NO_DEVICE: f"It waits for device {why.code:02o} at {at}: no such device is fitted{option}.",
         LOOP: f"It goes round {place}: no flag is tested, no word changes, no HLT is reached.",
         WITHIN: f"The subroutine at {other} is called from within itself, at {at}: that puts another return "
@@ -255,9 +260,9 @@ def _waits(machine: Machine, turn: list[_Step], words: Mapping[int, int]) -> lis
 
 def _interrupts(machine: Machine, turn: list[_Step]) -> list[Why]:
     """Return the device that keeps interrupting, if the loop consists of interrupts only."""
-    entries = [at for at, step in enumerate(turn) if step.address == 1]
-    flags = [device.code for device in machine.bus if device.flag]
-    if not entries or not flags or len(turn) == _LONGEST:
+    flags = requests(machine)
+    entered = any(step.address == 1 for step in turn) and any(step.word == _ION for step in turn)
+    if not entered or not flags or len(turn) == _LONGEST:
         return []
     interrupted = in_field(machine.processor.extension.saved_inst, machine.core[0])
     return [Why(UNCLEARED, interrupted, code=flags[0])]
@@ -275,17 +280,18 @@ def _returns(turn: list[_Step], pointer: int) -> int:
 def _tested(machine: Machine, turn: list[_Step]) -> list[Why]:
     """Return the flags that the loop tests or is interrupted by and that will never rise."""
     tested = {device.code: machine.pc for device in machine.bus if device.tested}
-    absent: dict[int, int] = {}
     for step in turn:
         code = step.word >> 3 & 0o77
-        if step.word >> 9 == IOT and step.word & 1 and code:
-            places = tested if machine.bus.device(code) else absent
-            places[code] = step.address
+        if step.word >> 9 == IOT and step.word & 1 and code and code >> 3 != _FIELDS:
+            tested[code] = step.address
     if machine.ion and 0o03 not in tested:
         tested[0o03] = machine.pc
-    codes = [code for code in (0o03, 0o01, 0o02, 0o04) if code in tested]
+    codes = [code for code in (0o03, 0o01, 0o02, 0o04) if code in tested and machine.bus.device(code)]
     found = [Why(_WAITS[code], tested[code], code=code, number=_state(machine, code)) for code in codes]
-    return found + [Why(NO_DEVICE, place, code=code) for code, place in absent.items() if not found]
+    other = [
+        Why(FLAG if machine.bus.device(code) else NO_DEVICE, at, code=code) for code, at in tested.items()
+    ]
+    return found or other
 
 
 def _state(machine: Machine, code: int) -> int:
@@ -311,9 +317,14 @@ def _departure(history: History, words: Mapping[int, int]) -> list[Why]:
         places = {address for address in range(len(core)) if address not in own}
         if not rewind.come_to(history, now, places, left):
             return []
-        to, flags = machine.pc, [device.code for device in machine.bus if device.flag]
+        to, flags = machine.pc, requests(machine)
         history.go_to_instruction(machine.instructions - 1)
         return departure(machine, to, words, flags)
+
+
+def requests(machine: Machine) -> list[int]:
+    """Return the codes of the devices that request an interrupt."""
+    return [device.code for device in machine.bus if device.flag and device.enabled]
 
 
 def departure(machine: Machine, to: int, words: Mapping[int, int], flags: list[int]) -> list[Why]:
