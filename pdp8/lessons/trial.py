@@ -142,7 +142,7 @@ class Tried:
         machine, watch, seconds = self.machine, self.machine.watch, self.starts[number].seconds
         watch.breakpoints = set(self._free)
         stop = Stop(Reason.BREAKPOINT, machine.pc, 0)
-        while stop.reason is Reason.BREAKPOINT and not self.left(stop.pc):
+        while stop.reason is Reason.BREAKPOINT and stop.pc not in self._free:
             stop = machine.run(seconds=max(seconds - machine.elapsed, 0))
             if stop.reason is Reason.BREAKPOINT:  # what it has written and what it calls is its own now
                 entry = machine.ma if machine.ir == JMS else -1
@@ -151,10 +151,6 @@ class Tried:
                 watch.breakpoints = set(self._free)
         watch.breakpoints = set()
         return stop
-
-    def left(self, address: int) -> bool:
-        """Tell whether `address` is outside the program and was not written by it."""
-        return address in self._free and self.machine.processor.core[address] == self._filled[address]
 
     def outcome(self, number: int) -> Outcome:
         """Press START number `number`, run, and return what that brought."""
