@@ -35,8 +35,9 @@ from tests.pdp8.cli.test_run import LINE, WHOLE
 from tests.pdp8.computer.dectape import reel
 
 
-def test_the_time_limit_of_a_program_that_waits_for_a_key() -> None:
-    terminal = Terminal("pdp8", "run", "echo.pal", "--keyboard", "--max-time", "1.01")
+@pytest.mark.parametrize("at", ["--keyboard", "--line=/dev/stdin"])
+def test_the_time_limit_of_a_program_that_waits_for_a_key(at: str) -> None:
+    terminal = Terminal("pdp8", "run", "echo.pal", at, "--max-time", "1.01")
     assert b"when --max-time was over" in terminal.until(b"1971")
     assert terminal.ended() == 1
 

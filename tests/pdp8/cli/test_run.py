@@ -27,7 +27,7 @@ def test_the_pc8_reads_and_punches_files(shell: Shell, tmp_path: Path) -> None:
     source += "\tCLA\n\tJMP 201\n$\n"
     (tmp_path / "copy.pal").write_text(source)
     (tmp_path / "in.tape").write_bytes(bytes(range(100)))
-    ran = shell("pdp8 run copy.pal --fast-reader in.tape --fast-punch out.tape </dev/null")
+    ran = shell("pdp8 run copy.pal --fast-reader in.tape --fast-punch out.tape --punch /dev/null </dev/null")
     twice = bytes(frame // 2 for frame in range(200))
     assert_same_tape((tmp_path / "out.tape").read_bytes(), twice)
     assert b"100 frames read, 200 frames punched at high speed; 4.0 s in 1971" in ran.stderr
