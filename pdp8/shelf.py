@@ -48,6 +48,15 @@ _IMAGES = {
 }
 """Files of other emulators, by their endings."""
 
+JSON = "JSON"
+_ELSEWHERE = {
+    **dict.fromkeys((b"{\\rtf", b"pk\3\4\x14\0"), "a word processor's file"),
+    **dict.fromkeys((b"<!doctype html", b"<html"), "a web page"),
+    b"%pdf-": "PDF",
+    b"{": JSON,
+}
+"""Files that are never a source, by their beginnings in small letters."""
+
 _watches: list["_Watch | None"] = [None]
 
 
@@ -205,8 +214,9 @@ def program(name: str, force: bool = False, dialect: str = "auto", memory: int =
     if image:
         raise ShelfError(f"{name}: no program tape: {image}")
     content = read(name)
-    if is_json(content):
-        raise ShelfError(f"{called(name)}: JSON, not a program; a saved state is restored, not loaded")
+    if what := no_source(content):
+        cure = "; a saved state is restored, not loaded" * (what == JSON)
+        raise ShelfError(f"{called(name)}: {what}, not a program{cure}")
     return program.read(content, name, force, dialect, memory)
 
 
@@ -243,9 +253,10 @@ def read_text(name: str, most: int = LARGEST) -> str:
         raise ShelfError(f"{called(name)}: byte {at}: not UTF-8") from error
 
 
-def is_json(content: bytes) -> bool:
-    """Whether a file is JSON, as a saved state is, by the brace with which it begins."""
-    return without_mark(content).lstrip().startswith(b"{")
+def no_source(content: bytes) -> str:
+    """Return what a file is that is never a source, as a saved state is JSON, by how it begins; else ""."""
+    begins = without_mark(content).lstrip()[:20].lower()
+    return next((what for beginning, what in _ELSEWHERE.items() if begins.startswith(beginning)), "")
 
 
 def identity(name: str) -> object:

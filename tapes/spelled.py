@@ -9,10 +9,11 @@
     frames      102 / 000 / 073          the frames of a BIN tape, octal, one a line, often without a checksum
     intel-hex   :02010000C00E2F          Intel's records, two bytes a word, the low one first, as naken_asm's
     mif         080 : ec0 2a8;           Altera's memory initialization file, in the radix that its head names
+    a listing   0200  7300  CLA CLL      an assembler's, with line numbers before it or without; only read
 
-A file is one of these if each of its lines is; a comment is what follows `;`, `#`, `//`, or `/` first or
-after words, and what is between `/*` and `*/`. A heading may stand above, such as `Address Contents` and a
-rule.
+A file is one of these if each of its lines is, and a listing if most addresses follow one another; a comment
+is what follows `;`, `#`, `//`, or `/` first or after words, and what is between `/*` and `*/`. A heading may
+stand above, such as `Address Contents` and a rule.
 In Intel's records the high byte may come first too, if the words say so.
 """
 
@@ -32,6 +33,7 @@ _FEWEST = 8
 """Lines of bits or frames, or words without an address."""
 _ROW = 8
 _RADIXES: Final = {"bin": 2, "oct": 8, "dec": 10, "uns": 10, "hex": 16}
+LISTING: Final = "a listing"
 _LAST: Final = 0o77777
 """The last address of 32K."""
 
@@ -82,7 +84,23 @@ def found(content: bytes) -> Spelled | None:
             continue
         if words:
             return Spelled(known.title, words, start)
-    return None
+    words = _listed(lines)
+    return Spelled(LISTING, words) if words else None
+
+
+def _listed(lines: list[list[str]]) -> dict[int, int]:
+    """Return the words of an assembler's listing, {} for any other text."""
+    words: dict[int, int] = {}
+    before = following = 0
+    for line in lines:
+        numbered = len(line) > 2 and line[0].isdecimal() and is_number(line[1], 8, 5, 5)
+        place = line[1:] if numbered else line
+        if len(place) > 1 and is_number(place[0], 8, 4, 5) and is_number(place[1], 8, 4, 4):
+            address = int(place[0], 8)
+            words[address] = int(place[1], 8)
+            following += 1 if address == before + 1 else 0
+            before = address
+    return words if 0 < len(words) <= 2 * following else {}
 
 
 def _by_statements(text: str) -> str:

@@ -212,14 +212,17 @@ def _read(name: str) -> bytes:
 
 def _check_kinds(names: tuple[str, ...], contents: list[bytes], ok: bool) -> None:
     """Raise AssemblyError for a tape of data, or for another kind of tape that does not assemble."""
-    from tapes import ascii, codes
+    from tapes import ascii, codes, spelled
     from tapes.loaders import Words
 
     for name, content in zip(names, contents, strict=True):
         if ascii.only_figures(content):
             raise AssemblyError(f"{called(name)}: nothing but figures: data, and no PAL source")
-        if shelf.is_json(content):
-            raise AssemblyError(f"{called(name)}: JSON, not PAL source; `pdp8 dis` takes a saved state")
+        if what := shelf.no_source(content):
+            cure = "; `pdp8 dis` takes a saved state" * (what == shelf.JSON)
+            raise AssemblyError(f"{called(name)}: {what}, not PAL source{cure}")
+        if (words := spelled.found(content)) and words.title == spelled.LISTING:
+            raise AssemblyError(f"{called(name)}: a listing, not PAL source; `pdp8 dis` makes a source of it")
         code = codes.recognise(content)
         if not ok and (isinstance(code, Words) or code is codes.EIA):
             cure = "; `pdp8 dis` makes a source of it" * isinstance(code, Words)

@@ -276,7 +276,7 @@ def convert(
     tape is made of it before it is mended or accepted.
 
     Words spelled out as text are known by their form: octal addresses and words, Verilog's $readmemh, EP,
-    deposits of a SIMH script, lines of twelve bits, octal frames.
+    deposits of a SIMH script, lines of twelve bits, octal frames, an assembler's listing.
 
     \b
     Examples:

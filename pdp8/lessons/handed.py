@@ -42,6 +42,8 @@ def of(content: bytes, name: str) -> Answer:
     """Return the answer in a file of this content: PAL III source, a sheet, a BIN or RIM tape or its dump."""
     if not content:
         return Answer(name, fault="an empty file")
+    if what := shelf.no_source(content):
+        return Answer(name, fault=f"{what}: an answer is plain text, or a tape")
     if len(content) > LARGEST:
         return Answer(name, fault=f"more than {LARGEST:,} bytes")
     if is_utf16(content):

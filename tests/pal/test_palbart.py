@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import pal
+from pdp8.computer.use import program
 from tests.conftest import case
 from tests.pal.random_pal8 import PALBART, SEEDS, palbarts, written
 
@@ -53,3 +54,4 @@ def test_palbart_punches_the_same_frames(tmp_path: Path) -> None:
             tape, said = palbarts(source, tmp_path, "-e")
             assert said == ""
             assert assembly.tape.lstrip(b"\0").strip(b"\x80") == tape
+            assert program.read((tmp_path / "x.lst").read_bytes(), "x").words == assembly.words

@@ -39,6 +39,7 @@ FORMS = {
     "BEGIN\n\n[0000..0177] : 0000; 0200 : 7300 1250\n7402; -- HLT\n250:2;\nEND;\n": (
         "Altera's memory initialization file"
     ),
+    "PAGE 1\n*200\n0200 7300 A, CLA\n0201 1250 TAD C\n0202 7402\n*250\n0250 0002 C, 2\nA 0200\n": "a listing",
     "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
 }
 
@@ -85,17 +86,7 @@ def test_nothing_else_is(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "*200\n7300\n$\n",
-        "7300\n1250\n",
-        "D 200\n",
-        "0019029030000350000\n",
-        "12 34\n",
-        "@\n",
-        "EP:\n",
-        "LOC,\n0200 7300\n",
-    ],
+    "text", ["*200\n7300\n$", "D 200", "00190290303500", "12 34", "@", "EP:", "L,\n0200 7300", "0200 7300 A"]
 )
 def test_nor_is_a_source_or_a_table(text: str) -> None:
     assert spelled.found(text.encode()) is None

@@ -9,7 +9,7 @@ def unspelled(file: str, content: bytes) -> tuple[bytes, str]:
     """Return the frames that a file of this content spells, and a note on it; else `content` and ""."""
     from tapes import binary, dump
 
-    if not shelf.is_json(content):
+    if shelf.no_source(content) != shelf.JSON:
         return dump.unspelled(content)
     from pdp8.computer.past import state
 
