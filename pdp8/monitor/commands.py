@@ -23,7 +23,6 @@ _SHORT = {
 _RUNS = ("go", "cont", "run", "type", "keyboard", "send", "boot", "step", "cycle")
 """After one of these, `expect` ignores what was printed before."""
 _IF = re.compile(r"(not\s+)?exist\s+(\"[^\"]*\"|\S+)\s+(.*)", re.IGNORECASE)
-_SWITCH = re.compile("-[a-zA-Z]+")
 _SWITCHED = ("examine", "deposit", "attach", "type", "echo", "if")
 """Of other commands SIMH's switches are passed over."""
 _DEEPEST = 10
@@ -58,7 +57,7 @@ class Command(NamedTuple):
         any_number = [each for each in takes if each.kind is each.VAR_POSITIONAL]
         needed = [each for each in takes if each.default is each.empty and each not in any_number]
         words = self.words_of(rest)
-        while words and _SWITCH.fullmatch(words[0]) and self.name not in _SWITCHED:
+        while words and simh.SWITCH.fullmatch(words[0]) and self.name not in _SWITCHED:
             words = words[1:]
         return some(words, self.expected, len(needed), None if any_number else len(takes))
 

@@ -26,7 +26,7 @@ from pdp8.monitor.prompt import Monitor
 from pdp8.monitor.running import text_of
 
 _HAS = ("tti", "tto", "ptr", "ptp")
-_SWITCH = re.compile("-[a-zA-Z]")
+SWITCH = re.compile("-[a-zA-Z]+")
 _PACE = re.compile(r"((after|delay)=\d+,?)+", re.IGNORECASE)
 """Instructions between keys at SIMH, where no program asks for them."""
 _NOTHING_TO_SET = ("on", "quiet", "verbose", "console", "env", "debug", "log", "noon")
@@ -46,6 +46,11 @@ def _device(monitor: Monitor, name: str) -> str:
     raise MonitorError(f"{name}: {rack.absent(monitor, name) or f'no device; there are {DEVICES}'}")
 
 
+def _has(switch: str, words: Sequence[str]) -> bool:
+    """Whether a switch is among words, alone or with others: -r, -er."""
+    return any(switch in word for word in words if SWITCH.fullmatch(word))
+
+
 def attach(monitor: Monitor, *words: str) -> None:
     """Mount FILE: ptr is the reader, ptp the punch, dt0 to dt7 are DECtapes, df is a DF32 disk, lpt the LP08
     line printer. -r locks a DECtape.
@@ -58,7 +63,7 @@ def attach(monitor: Monitor, *words: str) -> None:
         fast = kind == "ptr" and monitor.machine.highspeed.fitted
         (tapes.fast_reader if fast else tapes.reader)(monitor, file)
     elif kind in ("dt", "df"):
-        rack.attach(monitor, device, file, locked="-r" in words)
+        rack.attach(monitor, device, file, locked=_has("r", words))
     else:
         shelf.check_writable(file)
         shelf.check_kind(file, "text" if kind == "lpt" else "tape")
@@ -202,7 +207,7 @@ def _option(monitor: Monitor, name: str, values: Sequence[str]) -> bool:
 
 def _of_machine(monitor: Monitor, words: Sequence[str]) -> Sequence[str]:
     """Return places without SIMH's switches and its word cpu; none for registers of SIMH's devices."""
-    device, *places = some([each for each in words if not _SWITCH.fullmatch(each)], "an address")
+    device, *places = some([each for each in words if not SWITCH.fullmatch(each)], "an address")
     known = debugging.is_register(monitor, device) or device.upper() in monitor.listing.symbols
     kind = _kind(device)
     if not places or known:
@@ -226,11 +231,12 @@ def examine(monitor: Monitor, place: str, *more: str) -> None:
 def deposit(monitor: Monitor, place: str, word: str, *more: str) -> None:
     """Put words into core from A on, or one word into all of A:B; with -m an instruction: -m 200 CLA CLL."""
     words = _of_machine(monitor, (place, word, *more))
-    if "-m" in (place, word):
-        at = monitor.address(words[0])
-        made = assemble(f"*{at & 0o7777:o}\n{' '.join(some(words[1:], 'an instruction'))}\n$\n")
-        if not made.ok or len(made.words) != 1:
+    if not words:
+        return
+    if _has("m", (place, word)):
+        at = monitor.address(words[0]) & 0o7777
+        made = assemble(f"*{at:o}\n{' '.join(some(words[1:], 'an instruction'))}\n$\n")
+        if not made.ok or list(made.words) != [at]:
             raise MonitorError(f"{' '.join(words[1:])}: no instruction")
-        words = [words[0], f"{made.words[at & 0o7777]:o}"]
-    if words:
-        debugging.deposit(monitor, *words)
+        words = [words[0], f"{made.words[at]:o}"]
+    debugging.deposit(monitor, *some(words, "an address and a word", 2))

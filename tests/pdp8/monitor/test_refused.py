@@ -26,7 +26,7 @@ from tests.pdp8.monitor import do, session
 REEL = bytes(380_292)
 REFUSED = {
     "examine": "|9|200 9|20:17|CHK-CHK|NOPE|7777/2|200/10001|200/0",
-    "deposit": "|200|200 7402 9|200 1 10000|203-200 1|200-203 1 2|7777 1 2|200 -1|-m 300",
+    "deposit": "|200|200 7402 9|200 1 10000|203-200 1|200-203 1 2|7777 1 2|2 -1|-m 300|-m 2 *3;4|2 -A|cpu 2",
     "set": "|ac|ac 10000|ir 10|mq 0|mem_prot maybe|cpu 5k|inst_field 1|hands soon|ac 1 2|hands -1|dt0 locked",
     "registers": "now",
     "load": "|nowhere.pal|wrong.pal|cut.bin|eia.pal twice|.|in.asc",

@@ -119,9 +119,9 @@ def test_a_script_of_simh() -> None:
     """Devices by name, switches, jumps, conditions; RUN is START; what a PDP-8/L has not ends it."""
     said: list[str] = []
     lines = """\
-        set cpu 32k|set df dis|set dt disabled|set rk dis|deposit int-throttle THROT_DELAY 3|set tti ksr
-        dep -m 200 CLA CMA|d -m 201 HLT|d cpu pc 0|if exist program.bin goto there|echo no|:there
-        if not exist none run 200|e -o cpu ac|attach rx0 os8.dsk"""
+        set cpu 32k|set df dis|set dt dis|set rk dis|deposit int-throttle -m THROT_DELAY 3|set -q tti ksr
+        dep -qm 200 CLA CMA|d -m 201 HLT|d cpu pc 0|if exist program.bin goto there|echo no|:there
+        if not exist none run 200|e -om cpu ac|attach rx0 os8.dsk"""
     Path("boot.ini").write_text("\n".join(each.strip() for each in re.split(r"[|\n]", lines)))
     with pytest.raises(MonitorError, match=r"boot\.ini, line 15: rx0: an RX8E floppy, which no PDP-8/L had"):
         do(Monitor(said.append), "do boot.ini")
