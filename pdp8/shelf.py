@@ -28,7 +28,12 @@ _TAPES = (".asc", ".eia", ".bin", ".rim")
 _BUNDLED = {"tapes": _TAPES, "programs": (".pal", ".for")}
 _BY_HAND = (".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".png")
 _BEGINS = {"JSON": b"{", "XML": b"<", "SVG": b"<", "HTML": b"<"}
-_KEEPS = {"tape": _BY_HAND, **dict.fromkeys(("text", "drawing", "image"), (*_BY_HAND, *_TAPES))}
+_WORKED_ON = (".tu56", ".dt8", ".df32", ".dsk", ".state")
+_KEEPS = {
+    "tape": (*_BY_HAND, *_WORKED_ON),
+    "image": (*_BY_HAND, *_TAPES),
+    **dict.fromkeys(("text", "drawing"), (*_BY_HAND, *_TAPES, *_WORKED_ON)),
+}
 """What a product of each kind never replaces: a forgotten name after an option would cost a day's work."""
 _OTHER_PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".webp", ".pdf", ".eps", ".dxf")
 """Endings of pictures in another format than SVG."""

@@ -69,7 +69,7 @@ def extract(*, image: str, name: str, form: str | None, output: str) -> None:
 @click.argument("files", type=Source(), nargs=-1, required=True)
 @option("--name renamed", "The name on the tape of the one FILE.", metavar="NAME.EX")
 @_as
-@output(Target("DECtape image"))
+@output(Target("image"))
 def insert(*, image: str, files: tuple[str, ...], renamed: str | None, form: str | None, output: str) -> None:
     """Copy files to a DECtape of PS/8 or OS/8, each under its own name, into a new image.
 

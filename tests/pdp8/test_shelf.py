@@ -49,11 +49,13 @@ def test_a_package_in_a_zip_has_its_files_too(tmp_path: Path) -> None:
 
 BY_HAND = {".pal", ".pa", ".for", ".toml", ".jpg", ".jpeg", ".PNG"}
 TAPES = {".asc", ".eia", ".bin", ".rim"}
+REELS = {".tu56", ".df32", ".state"}
+KEPT = {"tape": BY_HAND | REELS, "text": BY_HAND | REELS | TAPES, "image": BY_HAND | TAPES, "": set[str]()}
 
 
-@pytest.mark.parametrize(("kind", "kept"), [("tape", BY_HAND), ("text", BY_HAND | TAPES), ("", set())])
+@pytest.mark.parametrize(("kind", "kept"), KEPT.items())
 def test_what_a_product_never_replaces(kind: str, kept: set[str]) -> None:
-    for name in (f"x{ending}" for ending in BY_HAND | TAPES | {".txt"}):
+    for name in (f"x{ending}" for ending in BY_HAND | TAPES | REELS | {".txt"}):
         Path(name).touch()
         shelf.check_kind(name, kind)
         Path(name).write_bytes(b"9")
