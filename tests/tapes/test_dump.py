@@ -72,6 +72,7 @@ DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CH
         (TAPE, str(list(TAPE))),
         (DIGITS, f"tape = {[*map(hex, DIGITS)]}".replace("'", "")),
         (DIGITS, f"tape = {[*map(oct, DIGITS)]}".replace("'", "")),
+        (b"\1\2" * 8, "".join([f"{at:07o} 0201\n" for at in range(0, 16, 2)])),
         (b"dekg" * 4, f"tape = {[100, 101, 107, 103] * 4}"),
         (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
         (TAPE, "\n".join([str(frame) for frame in TAPE])),
@@ -102,6 +103,7 @@ def test_what_is_no_dump(name: str) -> None:
         "0,0\n10,0\n10,10\n0,10\n",
         "128 129 130 131 132 133 134 135",
         "1\n2\n3\n" * 9,
+        "1971: 12345678901234567890123456789012\n",
         DRAWN + "| oo |\n" + DRAWN,
     ],
 )
