@@ -35,7 +35,6 @@ FILES = {
     "FreeCAD": lines(rows("{0:.4f} {1:.4f} 0.0"), "# point cloud", "x y z"),
     "SolidWorks": lines(rows("{0:.4f}mm\t{1:.4f}mm\t0mm", 25.4)),
     "AutoCAD": lines(rows("X = {0:.4f}     Y = {1:.4f}     Z = 0.0000")),
-    "QCAD": lines(rows("   at point  X={0:.4f}  Y={1:.4f}")),
     "pandas": lines(rows("{2},{0!r},{1!r}"), ",x,y"),
     "R": lines(rows('"{2}" {0!r} {1!r}'), '"x" "y"'),
     "gnuplot": "\n\n# Curve 0 of 1\n# x y type\n" + lines(rows("{0:.5f} {1:.5f}  i")),

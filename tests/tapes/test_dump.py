@@ -69,12 +69,11 @@ DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CH
 @pytest.mark.parametrize(
     ("frames", "text"),
     [
-        (TAPE, str(list(TAPE))),
+        (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
         (DIGITS, f"tape = {[*map(hex, DIGITS)]}".replace("'", "")),
         (DIGITS, f"tape = {[*map(oct, DIGITS)]}".replace("'", "")),
         (b"\1\2" * 8, "".join([f"{at:07o} 0201\n" for at in range(0, 16, 2)])),
         (b"dekg" * 4, f"tape = {[100, 101, 107, 103] * 4}"),
-        (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
         (TAPE, "\n".join([str(frame) for frame in TAPE])),
         (TAPE, "".join([f"{at:07o} {frame:3}\n" for at, frame in enumerate(TAPE)])),
         (TAPE, "int tape[] = {" + ", ".join([f"0{frame:o}" for frame in TAPE]) + "};"),

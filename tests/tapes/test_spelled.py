@@ -11,7 +11,6 @@ from tapes import spelled
 WORDS = {0o200: 0o7300, 0o201: 0o1250, 0o202: 0o7402, 0o250: 2}
 EP = "EP, entry point and hexadecimal words"
 FORMS = {
-    "102\n000\n073\n000\n012\n050\n074\n002\n102\n050\n000\n002\n": "octal frames, one a line",
     "102 000 073 000 012 050 074 002 102 050 000 002 # in a row\n": "octal frames, one a line",
     "@080\nec0 // CLA CLL\n2a8\nf02\n@0a8\n002\n": "Verilog's $readmemh",
     "\ufeff/* two\nlines */\n@0080 0EC0 0_2A8 f02\n\n@a8 2\n": "Verilog's $readmemh",
@@ -23,7 +22,6 @@ FORMS = {
     "sim> d 200-202 7402\nsim> DEP 200 7300\nsim> ex 200\nd 201 1250\nd 250 2\nattach ptr x\n": (
         "deposits of a SIMH script"
     ),
-    "EP:080\n080:EC0\n081:2A8\n082:F02\n0A8:2\n": f"{EP}; it starts at 0200",
     "0200 7300\n0201 1250\n0202 7402\n0250 0002\n": "octal addresses and words",
     "Address  Contents\n-------  --------\n0200  7300\n0201  1250\n0202  7402\n0250  0002\n": (
         "octal addresses and words"
