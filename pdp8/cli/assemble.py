@@ -24,7 +24,7 @@ from tapes.errors import WorkError, called, naming, visible
 from tapes.quantities import counted
 
 _TEXT = Target("text")
-_SYMBOL = re.compile(r"([A-Z][A-Z0-9]{0,5})\s+([0-7]{1,5})")
+_SYMBOL = re.compile(r"([A-Z][A-Z0-9]{0,5})[\s=]+([0-7]{1,5})")
 _PASSES = ("pass1", "pass2", "pass3")
 
 
@@ -342,7 +342,7 @@ def dis(*, tape: str, symbols: str | None, entry: tuple[int, ...], force: bool, 
 
 
 def _symbols(name: str | None) -> dict[str, int]:
-    """Return {name: address} of a symbol table as `pal --symbols` writes it."""
+    """Return {name: address} of a symbol table as `pal --symbols` writes it, or of definitions."""
     found: dict[str, int] = {}
     for number, line in enumerate(shelf.read_text(name).split("\n") if name else [], 1):
         match = _SYMBOL.fullmatch(line.strip())
