@@ -265,7 +265,10 @@ export const cases = {
     globalThis.Worker = class { constructor() { throw new Error("forbidden"); } };
     const refused = await Promise.all([0, 1].map(() => new Apart().ask("d", [], 9).catch(said)));
     globalThis.Worker = Worker;
-    return [[...seen, posted[0], posted[1].length, refused], ["it took more than 0.01 s, and was ended", true, 2, "made", "why not", true, 0, [3], 2, ["forbidden", "forbidden"]]];
+    const blocked = apart.ask("e", [], 9).catch(said);
+    apart.worker.onerror({});
+    seen.push(await blocked, apart.unable);
+    return [[...seen, posted[0], posted[1].length, refused], ["it took more than 0.01 s, and was ended", true, 2, "made", "why not", true, 0, "this browser lets no Worker run", true, [3], 2, ["forbidden", "forbidden"]]];
   },
   "a tab above the window is brought there, but not while the afternoon plays": async () => {
     const { Tabs } = await get("bench/tabs");
@@ -524,7 +527,7 @@ export const cases = {
     const drives = new Drives(bench);
     find("reels").children = [];
     const state = () => (drives.show(), [drives.units.map(({ hidden }) => hidden), find("boot-reel").disabled]);
-    const seen = [state(), drives.takes("a.TU56", []), drives.takes("a.tu5", [])];
+    const seen = [state(), drives.takes("a.TU56", "".encode("ascii")), drives.takes("a.tu5", "".encode("ascii"))];
     const frames = blank().content();
     for (const name of ["a", "b", "c"]) {
       drives.mount(name, frames);
@@ -555,7 +558,7 @@ export const cases = {
     const all = "0: a, ", [none, one, both] = [[true, true], [false, true], [false, false]];
     const area = Math.sqrt((9 ** 2 + 4 ** 2) / 2), half = Math.floor((180 * 360 * 9 * 0.5) / area);
     return [[seen, shown], [
-      [[none, true], true, false, ["a,a reel", "rive 0"], [one, false], ["a,b", " core."], [both, false], ["a,c", " core."], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
+      [[none, true], true, false, ["a,a reel", "rive 0"], [one, false], ["a,b", "f core"], [both, false], ["a,c", "f core"], [both, false], 0o20000, 0o100000, 8192, 1, true, [true, false],
         ["c", 2 * 129 * 1474], 3, [[true, false], true], 4, [none, true], 2,
         ["c is on DECtape drive 1 in place of b"]],
       [["translate(10 10) rotate(0)", 9, "translate(30 10) rotate(0)", 4, `${all}end zone, at rest`],

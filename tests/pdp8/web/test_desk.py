@@ -614,26 +614,6 @@ def test_from_a_radius_to_a_wall(page: Page) -> None:
     until(page, f"{says}('for 1750 thousandths write 1.75')")
 
 
-_TYPED_OPTIONS = """() => workbench.record.parts.map(({ name }) => {
-  const { parts } = workbench, places = "#part-options [name]";
-  parts.choose(name, {});
-  for (const field of document.querySelectorAll(places)) {
-    if (field.type === "checkbox") field.checked = !field.checked;
-    else field.value = field.matches("select") ? field.options[field.options.length - 1].value : "7";
-  }
-  const { typed } = parts, now = () => JSON.stringify(parts.typed);
-  parts.ask();
-  const before = now();
-  parts.choose(name, typed);
-  return [now() === JSON.stringify(typed), now() !== before];
-})"""
-
-
-def test_a_part_that_is_opened_has_all_options_as_they_were_typed(page: Page) -> None:
-    found = page.evaluate(_TYPED_OPTIONS)
-    assert found == [[True, True]] * len(found)
-
-
 @pytest.mark.slow("computes circles on the page and here")
 def test_a_circle_within_another_tolerance(page: Page) -> None:
     """The slider has its tape made by the whole chain: the wider it is, the fewer blocks."""

@@ -160,6 +160,7 @@ _MODIFIED = """() => {
     if (!left(at, { key, [more]: true }) || state() !== before) taken.push(`${place} ${more} ${key}`);
   }
   const paper = document.querySelector("#paper"), altGr = { altKey: true, ctrlKey: true };
+  if (!left(paper, { key: "V", ctrlKey: true, shiftKey: true })) taken.push("Ctrl-Shift-V");
   return taken.concat([..."@[q1"].filter((key) => !left(paper, { key, ...altGr })));
 }"""
 
@@ -183,7 +184,8 @@ _NAMED = """() => {
     event.stopImmediatePropagation();
   }, true);
   const look = (scene, at, pressed, ...places) => {
-    const letters = pressed.filter((key) => /^[A-Z]$/.test(key)).map((key) => [key, "\u044b", `Key${key}`]);
+    const letters = pressed.filter((key) => /^[A-Z]$/.test(key)).flatMap((key) =>
+      [[key, "\u044b", `Key${key}`], [key, key.toLowerCase(), "KeyQ"]]); // Cyrillic, AZERTY
     for (const [key, typed = key, code] of [...pressed.map((key) => [key]), ...letters]) {
       const before = state();
       seen.length = 0;
