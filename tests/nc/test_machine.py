@@ -67,7 +67,7 @@ def test_wrong_lengths_are_named() -> None:
     for frames, says in (
         (program[:45] + program[46:], "the block ends in row 19; a block has 20 rows"),
         (program[:45] + program[44:], "no end of block in row 20, but the digit 8"),
-        (program[:48], "the tape ends after 7 rows of the block's 20"),
+        (program[:48], "the tape ends after 7 of the block's 20 rows"),
         (program + b"\x80", "the block ends in row 1; a block has 20 rows"),
         (b"\x80" + program, "the block ends in row 1; a block has 20 rows"),
     ):
