@@ -75,7 +75,8 @@ def found(content: bytes) -> Dump | None:
     numbers = [number for row in rows for number in row.numbers]
     listed = bool(lists) and "x" not in lists[0].lower()
     notation = _by_leader(numbers, 0 if addresses else len(rows)) or _notation(numbers, words, listed)
-    if not notation:
+    octal = not addresses and all(is_number(number, 8, 4, 4) for number in numbers)  # words without a place
+    if not notation or (octal and notation == "hexadecimal"):
         return None
     pieces = [b"".join([_frames(number, notation) for number in row.numbers]) for row in rows]
     digits = max(len(row.address) for row in rows)  # 6 or 8: of xxd, hexdump -C, od -Ax
