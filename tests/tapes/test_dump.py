@@ -60,7 +60,7 @@ def test_an_address_is_no_reason_to_fill_up_memory() -> None:
 
 
 TAPE = bytes([0] + [LEADER] * 20) + FRAMES
-DIGITS = FRAMES[100:433]  # of EIA, in hexadecimal too
+DIGITS = FRAMES[100:433]
 CHANNELS = ["".join([" o"[frame >> at & 1] for at in range(8)]) for frame in FRAMES]
 DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CHANNELS, FRAMES, strict=True)])
 """From channel 1 on."""
@@ -70,7 +70,7 @@ DRAWN = "".join([f"|{row[:3]}.{row[3:]}| {frame:02x}\n" for row, frame in zip(CH
     ("frames", "text"),
     [
         (FRAMES, "char tape[] = {" + ",\n".join([str(frame) for frame in FRAMES]) + "};"),
-        (DIGITS, f"tape = {[*map(hex, DIGITS)]}".replace("'", "")),
+        (b" 1" * 8, f"tape = {[*map(hex, b' 1' * 8)]}".replace("'", "")),
         (DIGITS, f"tape = {[*map(oct, DIGITS)]}".replace("'", "")),
         (b"\1\2" * 8, "".join([f"{at:07o} 0201\n" for at in range(0, 16, 2)])),
         (b"dekg" * 4, f"tape = {[100, 101, 107, 103] * 4}"),
