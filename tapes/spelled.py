@@ -11,9 +11,9 @@
     mif         080 : ec0 2a8;           Altera's memory initialization file, in the radix that its head names
     a listing   0200  7300  CLA CLL      an assembler's, with line numbers before it or without; only read
 
-A file is one of these if each of its lines is, and a listing if most addresses follow one another; a comment
-is what follows `;`, `#`, `//`, or `/` first or after words, and what is between `/*` and `*/`. A heading may
-stand above, such as `Address Contents` and a rule.
+A file is one of these if each of its lines is, and a listing if no address is left out; a comment is what
+follows `;`, `#`, `//`, or `/` first or after words, and what is between `/*` and `*/`. A heading may stand
+above, such as `Address Contents` and a rule.
 In Intel's records the high byte may come first too, if the words say so.
 """
 
@@ -34,6 +34,9 @@ _FEWEST = 8
 _ROW = 8
 _RADIXES: Final = {"bin": 2, "oct": 8, "dec": 10, "uns": 10, "hex": 16}
 LISTING: Final = "a listing"
+_MOVES = ("PAGE", "FIELD")
+_LINKED = "@'"
+"""What a listing has behind a word whose address is that of a link."""
 _LAST: Final = 0o77777
 """The last address of 32K."""
 
@@ -84,23 +87,35 @@ def found(content: bytes) -> Spelled | None:
             continue
         if words:
             return Spelled(known.title, words, start)
-    words = _listed(lines)
+    words = _listed([_tokens(line) for line in lines_of(in_ascii(content))])  # in PAL /* begins one comment
     return Spelled(LISTING, words) if words else None
 
 
 def _listed(lines: list[list[str]]) -> dict[int, int]:
-    """Return the words of an assembler's listing, {} for any other text."""
+    """Return the words of an assembler's listing, {} for any other text, or where words seem to be missing:
+    addresses follow one another, but for an origin between them, and for a page's literals.
+    """
+    numbered = any(_with_line_number(line) for line in lines)
     words: dict[int, int] = {}
     before = following = 0
+    moved = True
     for line in lines:
-        numbered = len(line) > 2 and line[0].isdecimal() and is_number(line[1], 8, 5, 5)
-        place = line[1:] if numbered else line
-        if len(place) > 1 and is_number(place[0], 8, 4, 5) and is_number(place[1], 8, 4, 4):
+        place = line[1:] if _with_line_number(line) else line
+        word = place[1].rstrip(_LINKED) if len(place) > 1 else ""
+        if word and is_number(place[0], 8, 5 if numbered else 4, 5) and is_number(word, 8, 4, 4):
             address = int(place[0], 8)
-            words[address] = int(place[1], 8)
+            if address != before + 1 and not moved and len(place) > 2:
+                return {}
+            words[address] = int(word, 8)
             following += 1 if address == before + 1 else 0
-            before = address
+            before, moved = address, False
+        moved = moved or any(token.startswith("*") or token in _MOVES for token in line)
     return words if 0 < len(words) <= 2 * following else {}
+
+
+def _with_line_number(line: list[str]) -> bool:
+    """Whether a line begins as palbart's listing does: its number, and an address of five digits."""
+    return len(line) > 2 and line[0].isdecimal() and is_number(line[1], 8, 5, 5)
 
 
 def _by_statements(text: str) -> str:

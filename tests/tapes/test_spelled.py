@@ -37,6 +37,7 @@ FORMS = {
     "BEGIN\n\n[0000..0177] : 0000; 0200 : 7300 1250\n7402; -- HLT\n250:2;\nEND;\n": (
         "Altera's memory initialization file"
     ),
+    "199  0200  *200 /* A\n200 00200 7300' CLA\n  00201 1250@\n202 00202 7402\n\n  00250 0002\n": "a listing",
     "PAGE 1\n*200\n0200 7300 A, CLA\n0201 1250 TAD C\n0202 7402\n*250\n0250 0002 C, 2\nA 0200\n": "a listing",
     "; a script\nset cpu 4k\nd 200 7300 1250 7402\ndep 250 2\nd pc 200\ngo\n": "deposits of a SIMH script",
 }
