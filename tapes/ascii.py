@@ -165,11 +165,12 @@ class _Ascii(Characters):
 
 def utf_8(frames: bytes) -> str:
     """Return the text of a file in UTF-8 with letters beyond ASCII, whose bytes no Teletype has, else ""."""
+    if frames.isascii() or not nearly_all(frames.translate(None, _BEYOND), strip.WRITING):
+        return ""
     try:
-        text = frames.decode("utf-8")
+        return frames.decode("utf-8")
     except ValueError:  # it is not UTF-8
         return ""
-    return text if nearly_all(frames.translate(None, _BEYOND), strip.WRITING) and not frames.isascii() else ""
 
 
 def _parities(frames: bytes, doubtful: Collection[int]) -> list[tuple[str, int]]:

@@ -34,6 +34,7 @@ _FITTING = 8
 _NO_WORDS = 64
 """Frames with channel 8 that are more than a label, rubouts and fields."""
 _FILE_END = 0o232
+_AROUND = (LEADER, _FILE_END)
 _NAMES = {BLANK: "blank", LEADER: "leader", RUBOUT: "rubout", _FILE_END: "^Z, where OS/8 ends a file"}
 
 
@@ -177,9 +178,7 @@ class _Bin(Words):
             if closing != -1:
                 said += ["rubout", *(f"({ascii.name(each)})" for each in frames[end:closing]), "rubout"]
                 end = closing + 1
-            elif frame == BLANK and (
-                at == 0 or frames[at - 1] in (LEADER, _FILE_END)
-            ):  # blank tape is no word
+            elif frame == BLANK and (at == 0 or frames[at - 1] in _AROUND):  # blank tape is no word
                 end = skip(frames, at, BLANK)
                 said += ["blank"] * (end - at)
             elif frame < LEADER and end < len(frames) and frames[end] < 0o100 << last(end + 1):
