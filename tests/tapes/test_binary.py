@@ -156,9 +156,9 @@ def test_letters_before_the_leader_are_a_label(label: str, after: str) -> None:
 def test_a_file_of_text_before_the_leader_is_a_label() -> None:
     """As before DEC's MAINDECs of the PDP-8/I, which CP/M kept."""
     front = b"digital\r\nMAINDEC-08-D1GB-PB  5/5/68\r\nPDP 8I,8,8/S\r\nEXTENDED MEMORY\r\n\x1a"
-    labelled = front + FORMAT_BIN
-    assert codes.recognise(labelled) is codes.BIN
-    assert binary.decode(labelled).words == FORMAT_WORDS
+    for labelled in (front + FORMAT_BIN, LEADER + bytes(3) + front + FORMAT_BIN):
+        assert codes.recognise(labelled) is codes.BIN
+        assert binary.decode(labelled).words == FORMAT_WORDS
     assert draw_label(front)[:2] == ["digital", "MAINDEC-08-D1GB-PB  5/5/68"]
     assert codes.recognise(front[:-1] + FORMAT_BIN) is not codes.BIN
 

@@ -54,9 +54,10 @@ def test_what_other_tools_write(command: str) -> None:
 
 
 def test_an_address_is_no_reason_to_fill_up_memory() -> None:
-    found = dump.found(b"00: " + b"8081 " * 8 + b"\n*\nffffffffffff0000: " + b"8283 " * 8)
-    assert found
-    assert (found.frames, bool(found.gap)) == (b"\x80\x81" * 8 + b"\x82\x83" * 8, True)
+    for last, pairs, gap in (b"ffffffffffff0000", 8, True), (b"1f020000", 1 << 16, False):
+        found = dump.found(b"1f000000: " + b"8081 " * 8 + b"\n*\n" + last + b": " + b"8283 " * 8)
+        assert found
+        assert (found.frames, bool(found.gap)) == (b"\x80\x81" * pairs + b"\x82\x83" * 8, gap)
 
 
 TAPE = bytes([0] + [LEADER] * 20) + FRAMES
