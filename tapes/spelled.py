@@ -109,7 +109,8 @@ def _listed(lines: list[list[str]]) -> dict[int, int]:
             words[address] = int(word, 8)
             following += 1 if address == before + 1 else 0
             before, moved = address, False
-        moved = moved or any(token.startswith("*") or token in _MOVES for token in line)
+        code = " ".join(line).partition("/")[0].split()
+        moved = moved or any(token.startswith("*") or token in _MOVES for token in code)
     return words if 0 < len(words) <= 2 * following else {}
 
 

@@ -38,7 +38,7 @@ from pdp8.computer.use.program import Program
 from pdp8.computer.use.trace import Listing
 from pdp8.shelf import ShelfError
 from tapes import codes, rim
-from tapes.errors import called, naming
+from tapes.errors import WorkError, called, naming
 from tapes.quantities import counted, duration
 
 if TYPE_CHECKING:
@@ -212,7 +212,7 @@ class _Run:
         self.reels_in = _by_device(options.dectape, options.disk)
         self.reels_out = _by_device(options.save_dectape, options.save_disk)
         self.mounted: Reels | None = None
-        self.failures: list[ShelfError] = []
+        self.failures: list[WorkError] = []
         _check_options(options, more, self.reels_in, self.reels_out)
         self.found = self._program(explicit)
         self.machine = self._machine()
@@ -435,10 +435,10 @@ class _Run:
 
     @contextmanager
     def _noting(self) -> Iterator[None]:
-        """Add a ShelfError that is raised inside to the failures."""
+        """Add an error of the work that is raised inside to the failures."""
         try:
             yield
-        except ShelfError as error:
+        except WorkError as error:
             self.failures.append(error)
 
     def _save_mounted(self) -> None:
@@ -450,8 +450,8 @@ class _Run:
                 said = self.mounted.save(device, name)
                 if not self.options.quiet:
                     command.say(said)
-        if self.options.save is None:
-            for said in self.mounted.rescue():
+        with self._noting():
+            for said in self.mounted.rescue() if self.options.save is None else ():
                 command.say(said)
 
     def _save_paper(self) -> None:

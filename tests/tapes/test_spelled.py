@@ -85,7 +85,7 @@ def test_nothing_else_is(name: str) -> None:
 
 
 def test_nor_is_a_source_or_a_table_or_a_listing_without_a_line() -> None:
-    cut = "0200 7300 A\n0201 7001 B\n0202 7402 C\n0204 5200 D"
+    cut = "0200 7300 A\n0201 7001 B\n0202 7402 C /A * B, NEXT PAGE\n0204 5200 D"
     others = "*200\n7300\n$", "D 200", "00190290303500", "12 34", "@", "EP:", "L,\n0200 7300"
     for text in (cut, cut[:11], *others):
         assert spelled.found(text.encode()) is None, text

@@ -3,6 +3,7 @@
 import random
 from array import array
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
@@ -14,6 +15,7 @@ from pdp8.computer.rack.kw8 import KW8
 from pdp8.computer.rack.lp08 import LP08
 from pdp8.computer.rack.pt08 import PT08
 from pdp8.fitting import known
+from tapes.errors import WorkError
 from tests.conftest import Call
 from tests.pdp8.computer.bench import core
 
@@ -211,6 +213,10 @@ def test_the_commands_fill_and_save_a_disk_and_a_printer(call: Call, tmp_path: P
     assert said[1] == "pdp8 run: df: 1 word of disk changed, and not saved: wrote disk-changed"
     assert (tmp_path / "disk-changed").read_bytes() == (tmp_path / "after").read_bytes()
     assert "not saved" not in call("pdp8 run prog.pal --disk df32=after --printer out.txt")[2]
+    with patch("pdp8.reels.Reels.save", side_effect=WorkError("after was mounted; name another file")):
+        done = call("pdp8 run prog.pal --disk df32=disk --save-disk df32=x --printer p.txt --save s.state")
+        assert (done[0], "another file" in done[2], "pdp8 run: HLT" in done[2]) == (1, True, True)
+        assert ((tmp_path / "p.txt").read_text(), (tmp_path / "s.state").exists()) == ("I", True)
     assert call("pdp8 run prog.pal --disk rk05=disk")[0] == 2
     (tmp_path / "short").write_bytes(b"\1\2\3")
     assert "3 bytes: one to four discs" in call("pdp8 run prog.pal --disk df32=short")[2]
