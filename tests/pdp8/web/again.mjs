@@ -214,10 +214,10 @@ export const cases = {
   "a text that is opened again is as it was, whatever was written in it": async () => {
     const { Editor } = await get("bench/editor");
     const programs = new (await get("bench/store")).Store("again");
-    const editor = new Editor({ machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs, shelf: { sources: [] }, apart: { ask: () => new Promise(nothing) } });
+    const editor = new Editor({ machine: await machine(), afternoon: { takeOver: nothing }, room: {}, programs, shelf: { sources: ["a.pal"], get: () => ({ frames: "HLT" }) }, apart: { ask: () => new Promise(nothing) } });
     editor.put("a.pal", "HLT");
     editor.area.value = "HLTx";
-    editor.put("a.pal", "HLT");
+    editor.choose({ value: "a.pal", selectedOptions: [{ parentElement: { label: "Bundled" } }] });
     return [[editor.text, editor.name, programs.get("a.pal")], ["HLT", "a 2.pal", "HLTx"]];
   },
   "what is set while a figure is made is drawn too": async () => {
