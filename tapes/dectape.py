@@ -85,10 +85,16 @@ def decode(content: bytes) -> tuple[Image, list[str]]:
             "is no DECtape image of a PDP-8"
         )
     notes = [] if blocks == BLOCKS else [f"{blocks} of {BLOCKS} blocks; the others are taken as 0"]
-    boots = words[:WORDS]
-    if 0o6776 in boots and 0o6777 in boots and not any(0o6761 <= word <= 0o6766 for word in boots):
+    made = Image(words, width)
+    if is_for_td8e(made):
         notes.append("block 0 works a TD8E (6776, 6777), which no PDP-8/L had: its system does not boot")
-    return Image(words, width), notes
+    return made, notes
+
+
+def is_for_td8e(of: Image) -> bool:
+    """Whether block 0, which boots a system, has IOTs of a TD8E and none of a TC08."""
+    first = of.words[:WORDS]
+    return 0o6776 in first and 0o6777 in first and not any(0o6761 <= word <= 0o6766 for word in first)
 
 
 def is_image(content: bytes, name: str = "") -> bool:

@@ -12,7 +12,7 @@
     a listing   0200  7300  CLA CLL      an assembler's, with line numbers before it or without; only read
 
 A file is one of these if each of its lines is, and a listing if no address is left out; a comment is what
-follows `;`, `#`, `//`, or `/` first or after words, and what is between `/*` and `*/`. A heading may stand
+follows `;`, `#`, `//`, or `/` first or after words, and what is between `/*` and `*/`. There may be a heading
 above, such as `Address Contents` and a rule.
 In Intel's records the high byte may come first too, if the words say so.
 """

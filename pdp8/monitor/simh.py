@@ -47,7 +47,7 @@ def _device(monitor: Monitor, name: str) -> str:
 
 
 def _has(switch: str, words: Sequence[str]) -> bool:
-    """Whether a switch is among words, alone or with others: -r, -er."""
+    """Whether a switch is among words, by itself or with others: -r, -er."""
     return any(switch in word for word in words if SWITCH.fullmatch(word))
 
 

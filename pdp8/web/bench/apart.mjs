@@ -54,7 +54,7 @@ export class Apart {
     }
   }
 
-  /** Answer the first question, and go on to the next. */
+  /** Answer the first question, and ask the next. */
   #answer(/** @type {unknown} */ made, why = /** @type {string | undefined} */ (undefined)) {
     clearTimeout(this.late);
     const first = this.asked.shift();

@@ -8,7 +8,7 @@ import { TC08 } from "../../computer/dectape/tc08.mjs";
 import { BLOCK_LINES, END_ZONE, LINE, LINES, STOPPED } from "../../computer/dectape/tu55.mjs";
 import { FIELD } from "../../computer/hardware/extension.mjs";
 import { save } from "../../computer/past/state.mjs";
-import { BLOCKS, decode, is_image } from "../../../tapes/dectape.mjs";
+import { BLOCKS, decode, is_for_td8e, is_image } from "../../../tapes/dectape.mjs";
 import { html, put } from "../html.mjs";
 import { find, many, octal } from "../written.mjs";
 import { restored } from "./boot.mjs";
@@ -64,7 +64,7 @@ export class Drives {
     bench.remember(); // no step back restores another reel
     find("drives").open = true;
     const said = [`${name} is on DECtape drive ${unit}${before}; the machine has ${bench.machine.memory} words of core`, ...notes];
-    if (unit === 0 && !/does not boot/.test(said.join())) said.push("Press Boot drive 0");
+    if (unit === 0 && !is_for_td8e(image)) said.push("Press Boot drive 0");
     bench.say(said.join(". "));
   }
 

@@ -242,7 +242,7 @@ export const cases = {
     for (made.all of [new Map(Object.entries(exercises)), new Map([["add", {}]])]) await made.link();
     return [given, ["#ex", "#s="]];
   },
-  "work apart goes from question to question; one that is late is ended, and alone": async () => {
+  "work apart goes from question to question; only one that is late is ended": async () => {
     const { Apart } = await get("bench/apart");
     const apart = new Apart();
     page.querySelectorAll = () => [];
