@@ -11,6 +11,7 @@ record        what it has at hand, as JSON; kept: in the user's cache, while the
 parts         the part programs' options, as the page asks for them, and their fields
 findings      what an assembly says of each line, as the editor shows it
 passing       the block that passes under a head
+translation   the EIA tape that eia.pal makes of an ASCII tape
 loosened      the circle within another tolerance, by the whole chain
 curve         the page that teaches the method: curve.mjs, its figures in curve/, method what they compute
 shell.html    what is around every page   base.css             how it looks

@@ -29,6 +29,7 @@ from pdp8.replay.figures import COLUMNS, compare
 from pdp8.replay.script import Script
 from pdp8.replay.story import story
 from pdp8.web import parts
+from pdp8.web.translation import translation
 from programs.parts import PARTS
 from tapes.quantities import inches
 
@@ -42,12 +43,14 @@ _CLOSE = 250.0
 
 
 def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
-    """Return the record with `afternoon` or the usual one; tapes are texts, a character a frame."""
+    """Return the record with `afternoon` or the usual one; tapes are texts, a character a frame, or None:
+    the translation of the ASCII tape of that name.
+    """
     tapes = {name: shelf.read_bundled(name) for name in shelf.bundled() if not name.endswith(".for")}
     done = afternoon or replay(_USUAL)
     tapes |= {f"{done.part}.{code}": done.tapes[f"{done.part}.{code}"] for code in ("asc", "eia")}
     return {
-        "tapes": {name: frames.decode("latin-1") for name, frames in tapes.items()},
+        "tapes": {name: _at_hand(name, tapes) for name in tapes},
         "cutter": PARTS[done.part].cutter * 1000,
         "view": "",
         "opens": 1 if afternoon else 0,
@@ -57,6 +60,12 @@ def record(afternoon: Afternoon | None = None) -> dict[str, Any]:
         "parts": parts.declared(),
         "exercises": _exercises(),
     }
+
+
+def _at_hand(name: str, tapes: Mapping[str, bytes]) -> str | None:
+    typed = tapes.get(name.replace(".eia", ".asc"))
+    made = name.endswith(".eia") and typed and tapes[name] == translation(typed)
+    return None if made else tapes[name].decode("latin-1")
 
 
 def _exercises() -> dict[str, Any]:

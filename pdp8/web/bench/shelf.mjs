@@ -1,6 +1,7 @@
 // The tapes at hand: the bundled ones, those dropped on the page, those punched.
 
 import { bytes } from "../translator/runtime.mjs";
+import { translation } from "../translation.mjs";
 import { recognise } from "../../../tapes/codes.mjs";
 
 const NEWEST = 20; // tapes that are kept
@@ -32,7 +33,7 @@ const OFFERED = { any: (/** @type {string} */ name, /** @type {Shelf} */ { sourc
 /** Whether two tapes have the same frames. */
 const same = (/** @type {Bytes} */ one, /** @type {Uint8Array} */ other) => one.length === other.length && one.every((/** @type {number} */ frame, /** @type {number} */ at) => frame === other[at]);
 
-/** A tape, as a text or as its frames: what it is, is asked when it is wanted. */
+/** A tape, as a text, its frames, or a function that makes them: what it is, is asked when it is wanted. */
 class Tape {
   constructor(/** @type {any} */ content) {
     this.content = content;
@@ -40,6 +41,7 @@ class Tape {
 
   get frames() {
     if (typeof this.content === "string") this.content = this.content.encode("latin-1");
+    else if (typeof this.content === "function") this.content = this.content();
     return this.content;
   }
 
@@ -49,13 +51,13 @@ class Tape {
 }
 
 export class Shelf {
-  constructor(/** @type {Record<string, string>} */ bundled) {
+  constructor(/** @type {Record<string, string | null>} */ bundled) {
     this.tapes = new Map();
     this.bundled = Object.keys(bundled);
-    for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames);
+    for (const [name, frames] of Object.entries(bundled)) this.#add(name, frames ?? (() => translation(this.get(name.replace(".eia", ".asc")).frames)));
   }
 
-  #add(/** @type {string} */ name, /** @type {string | Uint8Array} */ frames) {
+  #add(/** @type {string} */ name, /** @type {string | Uint8Array | (() => Bytes)} */ frames) {
     this.tapes.set(name, new Tape(frames));
   }
 

@@ -49,19 +49,20 @@ MODULES = {
     "nc": "blocks machine path",
     "programs": "arithmetic circle curve die drawn drill ellipse fluidic format function header milling"
     " piecewise points polynomial printout profile slope stepwise stretches units",
-    "pdp8.web": "findings loosened method passing",
+    "pdp8.web": "findings loosened method passing translation",
 }
 """What is translated: of each package some modules, or all."""
 
 OMITTED = {
     "pal.assembly": "__iter__ __repr__ _repr_html_",
     "pal.meaning": "of_name names names8 _FIELDS _MARKS _PSEUDO _WORDS",
-    "pdp8.computer.machine": "__reduce__ __repr__ _copied count",
+    "pdp8.computer.machine": "__reduce__ __repr__ _copied count slices",
     "pdp8.computer.past.history": "PipedHistory",
     "pdp8.computer.past.state": "core",
     "pdp8.computer.use.ending": "rerun",
+    "pdp8.computer.use.program": "notes_on",
     "pdp8.replay.day": "Day PACE PROGRAMS WALK_SECONDS CLAMP_SECONDS MEASURE_SECONDS _SLICE Judgement",
-    "nc.path": "__repr__ array",
+    "nc.path": "__repr__ array efficiency",
     "pdp8.lessons.page": "html _STYLE",
     "pdp8.lessons.scores": "table _cell",
     "programs.arithmetic": "Float FloatingPoint IEEE32 CDC6400 GE635 PDP8 ARITHMETICS _word _half_up"
