@@ -23,6 +23,7 @@ import { Stop } from "../computer/stop.mjs";
 import { told } from "../computer/use/ending.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import { Listing } from "../computer/use/trace.mjs";
+import { decode, encode, ends_blocks, only_figures } from "../../tapes/ascii.mjs";
 import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/text.mjs";
@@ -68,7 +69,7 @@ export class Bench {
     for (const kind of ["dragover", "drop"]) document.addEventListener(kind, (/** @type {any} */ event) => {
       if (!event.dataTransfer?.types.includes("Files")) return; // a text that is dragged is the browser's
       event.preventDefault();
-      const reader = event.target?.closest("#reader");
+      const reader = event.target?.closest("#reader")?.id;
       if (kind === "drop") [...event.dataTransfer.files].forEach((file) => this.take(file, reader));
     });
   }
@@ -228,19 +229,19 @@ export class Bench {
     Object.assign(find("hear"), { ariaPressed: String(checked), textContent: checked ? "Sound on" : "Sound off" });
   }
 
-  browse() {
-    find("file").value = ""; // the same file once more is a change, too
-    find("file").click();
+  /** Ask for files: for the reader, or for what each is. */
+  browse(/** @type {HTMLButtonElement} */ { value }) {
+    Object.assign(find("file"), { value: "", name: value }).click(); // the same file once more is a change, too
   }
 
-  taken(/** @type {HTMLInputElement} */ { files }) {
-    [...(files ?? [])].forEach((file) => this.take(file));
+  taken(/** @type {HTMLInputElement} */ { files, name }) {
+    [...(files ?? [])].forEach((file) => this.take(file, name));
   }
 
   /** Take a file for what it is: a saved state or session, an exercise, a program's source, or a tape, which goes into
    *  the reader or to the mill. What is put into the `reader` is a tape.
    */
-  async take(/** @type {File} */ file, reader = null) {
+  async take(/** @type {File} */ file, reader = "") {
     const { name } = file;
     await this.opening;
     if (this.room.open) this.room.leave();
@@ -252,7 +253,8 @@ export class Bench {
     try {
       const frames = bytes(new Uint8Array(await file.arrayBuffer())); // of a folder there are none
       const text = new TextDecoder().decode(frames);
-      const source = /\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin
+      const figures = only_figures(frames);
+      const source = !figures && (/\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text)); // it has an origin
       const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (this.drives.takes(name, frames)) this.drives.mount(name, frames);
@@ -262,9 +264,12 @@ export class Bench {
       } else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
       else if (text.trimStart().startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (/\.toml$/i.test(name)) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
-      else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; dropped on the reader, it is read as a tape all the same`);
+      else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; put into the reader, it is read as a tape all the same`);
       else if (source) this.#source(name, frames);
-      else this.#tape(this.shelf.put(name, frames));
+      else if (figures && !ends_blocks(frames)) {
+        this.#tape(this.shelf.put(name, encode(decode(frames))));
+        this.say(`${name}: a text of figures, punched with CR and LF at the ends of its lines`);
+      } else this.#tape(this.shelf.put(name, frames));
     } catch (/** @type {any} */ error) {
       const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : why(error);
       this.say(said.startsWith(name) ? said : `${name}: ${said}`);

@@ -23,16 +23,20 @@ export class Apart {
   }
 
   #begin() {
+    const { unable } = this;
     this.unable = true;
     const scripts = [...document.querySelectorAll("script.code")].map(({ textContent }) => textContent);
     const url = URL.createObjectURL(new Blob(scripts, { type: "text/javascript" }));
     const worker = this.worker = new Worker(scriptAt(url));
-    this.unable = false;
+    this.unable = unable;
     worker.onerror = ({ message }) => {
       this.unable = true;
       this.#end(message ?? "this browser lets no Worker run");
     };
-    worker.onmessage = ({ data: [made, why] }) => this.#answer(made, why);
+    worker.onmessage = ({ data: [made, why] }) => {
+      this.unable = false;
+      this.#answer(made, why);
+    };
     return worker;
   }
 

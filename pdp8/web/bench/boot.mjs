@@ -8,7 +8,7 @@ import { bytes } from "../translator/runtime.mjs";
 
 /** The machine of a saved state, which may have a TC08; its reels are from `media`. */
 export function restored(/** @type {string} */ state, media = /** @type {Image[]} */ ([])) {
-  return restore(state, [], media, [...one_of_each(), new TC08()], "drop it on the page first");
+  return restore(state, [], media, [...one_of_each(), new TC08()], "open it first");
 }
 
 /** The machine after it, and what was read. Throws where a loader ends as it should not. */

@@ -100,13 +100,14 @@ export class Drives {
 
   /** Toggle in the bootstrap of drive 0, and press START. */
   boot() {
-    this.bench.aim();
-    this.bench.switches.card.end();
-    this.bench.touch((machine) => {
+    const { bench } = this;
+    bench.aim();
+    bench.switches.card.end();
+    bench.touch((machine) => {
       machine.panel.mem_prot = machine.panel.sing_step = false; // as by hand, or it would not go
       boot(machine);
     });
-    find("paper").focus();
+    bench.teletype.keys.focus();
   }
 
   lock(/** @type {HTMLInputElement} */ { checked, value }) {

@@ -34,6 +34,7 @@ export class Editor {
     this.area = find("source");
     this.behind = this.area.previousElementSibling;
     this.counts = new Counts();
+    /** @type {{ value: string; from: number; until: number; made: string }[]} */ this.pasted = []; // long texts: what was there before
     this.name = this.laid = "";
     this.before = ""; // the text as it was kept or opened
     this.now = /** @type {number | null} */ (null); // the line that the processor is in
@@ -57,10 +58,22 @@ export class Editor {
     try {
       bounded(value.slice(0, from) + text + value.slice(until));
       area.setRangeText(text, from, until, "end");
+      this.pasted.push({ value, from, until, made: area.value });
       this.changed();
     } catch (/** @type {any} */ error) {
       bench.say(error.message);
     }
+  }
+
+  /** Undo such a paste, which the browser does not know of; return whether it was what was done last. */
+  #unpaste() {
+    const { area, pasted } = this, last = pasted.at(-1);
+    if (last?.made !== area.value || area.readOnly) return false;
+    pasted.pop();
+    area.value = last.value;
+    area.setSelectionRange(last.from, last.until);
+    this.changed();
+    return true;
   }
 
   /** The name of what is shown: of the program, or of a source that is only read. */
@@ -127,6 +140,7 @@ export class Editor {
 
   #show(/** @type {string} */ text) {
     this.area.value = text;
+    this.pasted = [];
     this.area.setSelectionRange(0, 0);
     this.area.scrollTop = this.area.scrollLeft = 0;
     find("program-name").value = this.name;
@@ -351,6 +365,8 @@ export class Editor {
       if (document.execCommand?.("insertText", false, "\t")) return; // the one way that the browser undoes
       this.area.setRangeText("\t", this.area.selectionStart, this.area.selectionEnd, "end");
       this.changed();
+    } else if (key.toLowerCase() === "z" && modified(event) && !event.shiftKey && !event.altKey) {
+      if (this.#unpaste()) event.preventDefault();
     } else if (key.length === 1 && !modified(event)) this.#write(true);
     if (key === "F9") {
       const place = this.places.get(this.text.slice(0, this.area.selectionStart).split("\n").length);

@@ -6,10 +6,13 @@ import { recognise } from "../../../tapes/codes.mjs";
 
 const NEWEST = 20; // tapes that are kept
 const LOOK = 1000; // frames that say in which code a tape is shown
+const LEADER = 100; // as many before them, if there are
 
 /** The code in which frames are shown. */
 export function codeOf(/** @type {Bytes | number[] | Uint8Array} */ frames) {
-  return recognise(bytes(frames.slice(0, LOOK)));
+  const first = frames.findIndex((frame) => (frame & 0o177) % 0o177 > 0); // blanks, leader and RUBOUTs may be yards long
+  const at = Math.max(0, first - LEADER);
+  return recognise(bytes(frames.slice(at, at + LOOK)));
 }
 
 const codes = /** @type {WeakMap<Bytes, Code>} */ (new WeakMap());

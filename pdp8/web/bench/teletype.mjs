@@ -30,6 +30,11 @@ export class Teletype {
     });
   }
 
+  /** Where characters are typed: in the field, where a finger finds no other keys. */
+  get keys() {
+    return find(matchMedia("(pointer: coarse)").matches ? "typed" : "paper");
+  }
+
   show() {
     this.terminal = this.bench.afternoon.terminal;
     this.#page(this.terminal?.frames ?? this.bench.machine.teletype.printer.frames);

@@ -131,7 +131,7 @@ export class Time {
 
   /** Press the button, or go to the field, that what can be done next names. */
   use(/** @type {HTMLElement} */ { dataset }) {
-    const control = document.querySelector(String(dataset.for));
+    const control = dataset.for === "#paper" ? this.bench.teletype.keys : document.querySelector(String(dataset.for));
     control.closest("details")?.setAttribute("open", "");
     if (control.matches("button")) control.click();
     else {

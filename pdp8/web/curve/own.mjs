@@ -1,6 +1,7 @@
 // Draw your own: a finger's curve through the part program, eia.pal on the PDP-8/L and the Hydra-Point.
 
 import { linked } from "../bench/sharing.mjs";
+import { keep, kept } from "../bench/store.mjs";
 import { Figure, mils, minutes, straightened } from "./drawing.mjs";
 import { html } from "../html.mjs";
 import { Pad } from "../pad.mjs";
@@ -10,6 +11,7 @@ import { answered, made, Wanted } from "./made.mjs";
 const CUTTER = 125; // its radius
 const AGAIN = 400; // milliseconds after a change until the computer begins
 const NAME = "mine.eia";
+const KEPT = "pdp8 curve"; // the setting that is it
 
 export function own(/** @type {any} */ record, /** @type {any} */ save, /** @type {any} */ open) {
   let told = "", waits = 0, /** @type {BlobPart & { length: number } | null} */ frames = null, /** @type {string | null} */ last = null;
@@ -39,7 +41,11 @@ export function own(/** @type {any} */ record, /** @type {any} */ save, /** @typ
     const said = html`<b>${found.blocks} blocks</b>: reading ${minutes(found.reading)} + cutting ${minutes(found.milling)} = <b>${minutes(found.minutes)}</b>. A stop is at most <b>${mils(worst, 4)} in</b> off your curve; promised are ${mils(tolerance + 1)}. ${told}`;
     return [clipped(box, content) + rect(box, 'class="frame"') + text(strip.x, strip.y - 7, "the band made straight", 'class="small"') + straightened(strip, pad.length, tolerance, reach, [[off, "way"]]), tall, said, holds];
   });
-  const pad = new Pad(figure.svg, () => figure.later());
+  const pad = new Pad(figure.svg, () => {
+    if (!pad.finger) keep(KEPT, pad.text);
+    figure.later();
+  });
+  pad.text = kept(KEPT) ?? "";
 
   /** Have eia.pal translate the tape and the Hydra-Point read what was punched, when nothing has changed for a moment. */
   function translate(/** @type {string} */ printout, /** @type {number} */ tolerance) {

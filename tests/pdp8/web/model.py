@@ -310,11 +310,11 @@ class Model:
 
     def _drop(self) -> None:
         content = f"{self.draw.randrange(40)} 2\r\n"
-        self.page.evaluate("(content) => workbench.take(new File([content], 't  t.asc'))", content)
-        name, number = "t  t.asc", 1
+        self.page.evaluate("(content) => workbench.take(new File([content], 't  t.txt'))", content)
+        name, number = "t  t.txt", 1
         while name in self.tapes and self.dropped[name] != content:
             number += 1
-            name = f"t  t {number}.asc"
+            name = f"t  t {number}.txt"
         self.dropped[name] = content
         until(self.page, f"workbench.teletype.called() === {name!r}")
         self.tapes = [*(each for each in self.tapes if each != name), name]

@@ -138,7 +138,7 @@ CONTROLS = {
         "a",
     ),
     "#share": Control("location.hash", "history.replaceState(null, '', '#');"),
-    "#open": Control(
+    "#open, #put-file": Control(
         "window.chosen",
         "window.chosen = 0; document.getElementById('file').click = () => { window.chosen++; };",
     ),

@@ -285,6 +285,10 @@ def test_the_rest_of_a_curve_moves_to_meet_a_short_stroke(page: Page) -> None:
     _stroke(page, (150, 200), (200, 200))
     page.locator("#own .groove").wait_for()
     drawn = page.locator("#own .intended").first.get_attribute("d") or ""
+    page.reload()  # it stays
+    page.locator("#own").scroll_into_view_if_needed()
+    page.locator("#own .groove").wait_for()
+    assert page.locator("#own .intended").first.get_attribute("d") == drawn
     heights = [float(y) for y in re.findall(r" ([\d.]+)", drawn)]
     assert 190 < heights[50] < 210
     assert max(abs(one - other) for one, other in pairwise(heights)) < 20

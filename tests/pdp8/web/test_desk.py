@@ -52,7 +52,7 @@ _PASTED = """(length) => {
 
 
 def test_a_long_text_is_pasted_at_once(page: Page) -> None:
-    """Where the selection was; a short one, or one that is dragged, by the browser, too long a one not.
+    """Where the selection was, and undone; a short one, or one dragged, by the browser, too long a one not.
 
     At the Teletype it is typed, with its line ends.
     """
@@ -61,6 +61,8 @@ def test_a_long_text_is_pasted_at_once(page: Page) -> None:
     assert page.evaluate(_PASTED, 1998) == [False, len(HALT), HALT[:4], 1]
     assert page.evaluate(_PASTED, 2000) == [True, len(HALT) - 2 + 2000, "*A\nA", 2001]
     assert page.evaluate(_PASTED, 200_000)[1] == len(HALT) - 2 + 2000
+    page.locator("#source").press("Control+z")
+    assert page.evaluate("[workbench.editor.text, workbench.editor.area.selectionEnd]") == [HALT, 3]
     assert "200\u202f000 are allowed" in page.locator("#next").inner_text()
     put = "(length) => { try { workbench.editor.put('a.pal', '/'.repeat(length)); } catch { return false; } }"
     assert [page.evaluate(put, length) for length in (200_000, 200_001)] == [None, False]

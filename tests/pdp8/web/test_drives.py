@@ -56,7 +56,7 @@ def test_a_reel_boots_in_the_ticks_of_python(page: Page, tmp_path: Path) -> None
     page.reload()
     until(page, "!!window.workbench?.ready")
     page.evaluate(_TAKEN, state)
-    assert page.evaluate("workbench.why").endswith("drop it on the page first")
+    assert page.evaluate("workbench.why").endswith("open it first")
     page.evaluate(f"{P}.core.fill(0)")
     page.evaluate(_TAKEN, shared)
     assert page.evaluate(f"[workbench.machine.memory, {P}.core[0o7640]]") == [0o20000, 0o317]

@@ -42,7 +42,7 @@ def saved(tab: Tab, button: str) -> bytes:
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text.
 
-    What is nothing of ours is refused by its name; dropped on the reader itself it is a tape.
+    What is nothing of ours is refused by its name; dropped on the reader, or put there, it is a tape.
     """
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until(f"{_TTY}.reader.tape.length === 5")
@@ -74,6 +74,10 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     assert bytes(tab.run(f"return [...{_TTY}.reader.tape]")) == binary.encode({0o200: 0o7300, 0o201: 0o7402})
     drop(tab, "photo.png", picture, "#reader")
     tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
+    chosen = "workbench.taken({ name: this.name, files: [new File(['*200'], 'a.pal')] })"
+    tab.run(f"document.getElementById('file').click = function () {{ {chosen}; }};")
+    tab.point("#put-file", 0, "mouse")
+    tab.until(f"{_TTY}.reader.tape.length === 4")
 
 
 def test_states_and_tapes_go_in_and_out(tab: Tab) -> None:
