@@ -62,6 +62,7 @@ export class Parts {
   constructor(/** @type {Bench} */ bench) {
     this.bench = bench;
     this.translating = /** @type {Machine | null} */ (null); // the machine at it
+    this.tape = /** @type {Bytes | null} */ (null); // and the tape in its reader
     this.name = ""; // of the tape that was punched
     this.given = /** @type {Record<string, Record<string, any>>} */ ({}); // what has been typed for each part
     find("part-name").replaceChildren(...bench.record.parts.map((/** @type {Part_} */ { name }) => new Option(name)));
@@ -179,6 +180,7 @@ export class Parts {
     this.speed = bench.clock.speed;
     bench.time.setSpeed(Infinity);
     this.translating = bench.machine;
+    this.tape = bench.machine.teletype.reader.tape;
     find("part-translated").textContent = "eia.pal is running.";
   }
 
@@ -189,7 +191,7 @@ export class Parts {
   }
 
   show() {
-    const { translating, bench: { clock, machine, time } } = this, other = machine !== translating;
+    const { translating, bench: { clock, machine, time } } = this, other = machine !== translating || machine.teletype.reader.tape !== this.tape;
     if (!machine.teletype.punch.frames.length) find("part-cut").disabled = true;
     if (!translating || (!other && machine.processor.run && !machine.waiting.endless)) return;
     this.translating = null;
