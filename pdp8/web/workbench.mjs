@@ -24,7 +24,7 @@ import { told } from "../computer/use/ending.mjs";
 import { Goal } from "../computer/use/goals.mjs";
 import { Listing } from "../computer/use/trace.mjs";
 import { decode, encode, ends_blocks, only_figures } from "../../tapes/ascii.mjs";
-import { EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
+import { ASCII, BLANK_TAPE, EIA, recognise, UNKNOWN } from "../../tapes/codes.mjs";
 import { unspelled } from "../../tapes/dump.mjs";
 import { is_utf16 } from "../../tapes/text.mjs";
 import { html, ours, put } from "./html.mjs";
@@ -253,8 +253,6 @@ export class Bench {
     try {
       const frames = bytes(new Uint8Array(await file.arrayBuffer())); // of a folder there are none
       const text = new TextDecoder().decode(frames);
-      const figures = only_figures(frames);
-      const source = !figures && (/\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text)); // it has an origin
       const [tape, note] = unspelled(frames);
       if (reader) this.teletype.mount(this.shelf.put(name, frames));
       else if (this.drives.takes(name, frames)) this.drives.mount(name, frames);
@@ -264,21 +262,26 @@ export class Bench {
       } else if (is_utf16(frames)) this.say(`${name}: UTF-16, as PowerShell's > writes it; save it as UTF-8`);
       else if (text.trimStart().startsWith("{")) this.#written(name, JSON.parse(text), text);
       else if (/\.toml$/i.test(name)) this.say(`${name} is an exercise as a teacher writes it; what this page takes is said under Exercises`);
-      else if (recognise(frames) === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; put into the reader, it is read as a tape all the same`);
-      else if (source) this.#source(name, frames);
-      else if (figures && !ends_blocks(frames)) {
-        this.#tape(this.shelf.put(name, encode(decode(frames))));
-        this.say(`${name}: a text of figures, punched with CR and LF at the ends of its lines`);
-      } else this.#tape(this.shelf.put(name, frames));
+      else this.#paper(name, frames, text);
     } catch (/** @type {any} */ error) {
       const said = error instanceof SyntaxError ? "damaged or cut short: it begins as JSON, and is none" : why(error);
       this.say(said.startsWith(name) ? said : `${name}: ${said}`);
     }
   }
 
-  #source(/** @type {string} */ name, /** @type {Bytes} */ frames) {
-    this.tabs.open("program");
-    this.editor.open(name, frames);
+  /** Take a source, or a tape: figures alone are no source, nor is what only by chance has an origin in it. */
+  #paper(/** @type {string} */ name, /** @type {Bytes} */ frames, /** @type {string} */ text) {
+    const code = recognise(frames), figures = only_figures(frames);
+    const named = /\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin
+    const source = named && !figures && (code === ASCII || code === BLANK_TAPE);
+    if (code === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; put into the reader, it is read as a tape all the same`);
+    else if (source) {
+      this.tabs.open("program");
+      this.editor.open(name, frames);
+    } else if (figures && !ends_blocks(frames)) {
+      this.#tape(this.shelf.put(name, encode(decode(frames))));
+      this.say(`${name}: a text of figures, punched with CR and LF at the ends of its lines`);
+    } else this.#tape(this.shelf.put(name, frames));
   }
 
   #tape(/** @type {string} */ name) {

@@ -72,6 +72,9 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     drop(tab, "dump.txt", b"0200: 7300 7402\n")
     tab.until(f"{_NEXT}.includes('dump.txt: read as octal addresses and words')")
     assert bytes(tab.run(f"return [...{_TTY}.reader.tape]")) == binary.encode({0o200: 0o7300, 0o201: 0o7402})
+    tape = binary.encode({0o200: 0o1252, 0o201: 0o6260, 0o202: 0o6040})  # "*200 " is in it, as an origin
+    drop(tab, "own.bin", tape)
+    tab.until(f"{_TTY}.reader.tape.length === {len(tape)}")
     drop(tab, "photo.png", picture, "#reader")
     tab.until(f"{_TTY}.reader.tape.length === {len(picture)}")
     chosen = "workbench.taken({ name: this.name, files: [new File(['*200'], 'a.pal')] })"
