@@ -258,10 +258,7 @@ export const cases = {
     const barred = new Apart(), refused = await Promise.all([0, 1].map(() => barred.ask("d", [], 9).catch(said)));
     globalThis.Worker = Worker;
     const blocked = [0, 1].map(() => apart.ask("e", [], 9).catch((why) => [said(why), apart.unable]));
-    for (const answer of blocked) {
-      apart.worker.onerror({});
-      seen.push(...(await answer));
-    }
+    for (const answer of blocked) seen.push(...(apart.worker.onerror({}), await answer));
     seen.push(barred.unable);
     return [[...seen, refused], ["it took more than 0.01 s, and was ended", true, 2, "made", "why not", true, 0, ...Array(2).fill(["this browser lets no Worker run", true]).flat(), true, ["forbidden", "forbidden"]]];
   },

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
@@ -249,13 +250,8 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
     many blocks.
     """
     own = page.locator("#own")
-    own.scroll_into_view_if_needed()
-    settled(page)
-    own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     own.locator("[name=tolerance]").fill(band)
-    box = own.locator("svg").bounding_box()
-    assert box
-    across = (box["width"] - 20) / waves
+    across = (_frame(page)["width"] - 20) / waves
     _stroke(page, (10, 60), *((10 + across * wave, 60 + 90 * (wave % 2)) for wave in range(1, waves + 1)))
     until(page, "document.getElementById('save').disabled")
     until(page, "!document.getElementById('save').disabled")
@@ -279,14 +275,11 @@ def test_an_own_curve_goes_through_the_whole_chain(page: Page, waves: int, band:
 
 
 def test_the_rest_of_a_curve_moves_to_meet_a_short_stroke(page: Page) -> None:
-    page.locator("#own").scroll_into_view_if_needed()
-    settled(page)
-    page.locator("#own svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
     _stroke(page, (150, 200), (200, 200))
     page.locator("#own .groove").wait_for()
     drawn = page.locator("#own .intended").first.get_attribute("d") or ""
     page.reload()  # it stays
-    page.locator("#own").scroll_into_view_if_needed()
+    _frame(page)
     page.locator("#own .groove").wait_for()
     assert page.locator("#own .intended").first.get_attribute("d") == drawn
     heights = [float(y) for y in re.findall(r" ([\d.]+)", drawn)]
@@ -294,10 +287,18 @@ def test_the_rest_of_a_curve_moves_to_meet_a_short_stroke(page: Page) -> None:
     assert max(abs(one - other) for one, other in pairwise(heights)) < 20
 
 
+def _frame(page: Page) -> Any:
+    """Bring the frame to the middle of the window; return its box."""
+    svg = page.locator("#own svg")
+    svg.scroll_into_view_if_needed()
+    settled(page)
+    svg.evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
+    return svg.bounding_box()
+
+
 def _stroke(page: Page, first: tuple[float, float], *others: tuple[float, float]) -> None:
     """Draw a stroke through places of the frame."""
-    box = page.locator("#own svg").bounding_box()
-    assert box
+    box = _frame(page)
     page.mouse.move(box["x"] + first[0], box["y"] + first[1])
     page.mouse.down()
     for x, y in others:
@@ -306,12 +307,8 @@ def _stroke(page: Page, first: tuple[float, float], *others: tuple[float, float]
 
 
 def test_a_curve_too_steep_is_refused_and_its_shape_stays(page: Page) -> None:
-    own = page.locator("#own")
-    own.scroll_into_view_if_needed()
-    own.locator("svg").evaluate("(svg) => svg.scrollIntoView({ block: 'center' })")
-    box = own.locator("svg").bounding_box()
-    assert box
-    _stroke(page, (20, 20), (box["width"] / 2, 20), (box["width"] / 2 + 1, 200), (box["width"] - 20, 200))
+    own, width = page.locator("#own"), _frame(page)["width"]
+    _stroke(page, (20, 20), (width / 2, 20), (width / 2 + 1, 200), (width - 20, 200))
     own.locator("[name=tolerance]").fill("31")
     until(page, "document.querySelector('#own .said').textContent.startsWith('It cannot be cut')")
     assert own.locator(".intended").count() == 1

@@ -59,7 +59,6 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
         ("photo.png", picture, "photo.png is no tape"),
         ("photo.pal", picture, "photo.pal is no tape"),
         ("power.pal", "*200\n$\n".encode("utf-16"), "power.pal: UTF-16"),
-        ("power.asc", "1750\n".encode("utf-16"), "power.asc: UTF-16"),
     ):
         drop(tab, name, content)
         tab.until(f"{_NEXT}.includes('{said}')")

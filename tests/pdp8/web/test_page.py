@@ -174,7 +174,7 @@ def test_what_is_drawn_is_what_is_so(circle_page: Path, circle: Afternoon) -> No
             page.evaluate("(digit) => workbench.take(new File([`${digit} 2\\n`], 't.txt'))", digit)
             page.wait_for_timeout(400)
             tape = page.evaluate("[...workbench.machine.teletype.reader.tape]")
-            assert tape[:5] == [0o260 + int(digit), 0o240, 0o262, 0o215, 0o212], "with the CR that ends a block"
+            assert tape[:5] == [0o260 + int(digit), 0o240, 0o262, 0o215, 0o212]
             assert page.evaluate("stale()") == [], digit
 
 

@@ -13,15 +13,6 @@ def _run(page: Page, text: str) -> None:
     page.evaluate("(text) => { workbench.editor.put('own.pal', text); workbench.editor.run(); }", text)
 
 
-def test_a_new_program_is_written_over(page: Page) -> None:
-    """Who has pressed New types a program, not keys of the page's."""
-    click(page, "#new-program")
-    found = page.evaluate(
-        "(({ id, selectionStart: from, selectionEnd: to }) => [id, from, to])(document.activeElement)"
-    )
-    assert found == ["source", 0, len(page.evaluate("workbench.editor.text"))]
-
-
 def test_what_goes_wrong_in_the_afternoon_is_read(page: Page) -> None:
     """A program that is not run: that is seen beside what the afternoon says."""
     page.evaluate("workbench.afternoon.go(6e10)")
