@@ -48,9 +48,11 @@ class Assigned:
             case ast.Try(body, handlers, _, last):
                 found = self.after(body, known)
                 for handler in handlers:
-                    found = _both(found, self.after(handler.body, known | {handler.name or ""}))
+                    own = frozenset({handler.name or ""})  # it has no value after the handler
+                    end = self.after(handler.body, known | own)
+                    found = _both(found, end if end is None else end - own)
                 end = self.after(last, known)
-                return found | end if found is not None and end is not None else None
+                return found | (end - known) if found is not None and end is not None else None
             case ast.With(items, body):
                 for item in items:
                     known = self._read(item.context_expr, known)

@@ -22,6 +22,7 @@ from pdp8.web.translator.types import (
     WORD,
     Type,
     either,
+    filled,
     leaf,
     whole,
 )
@@ -73,10 +74,27 @@ class Calls(Expressions):
                 self.refuse(node, f"a call of {kind}", "an annotation")
             if node.keywords:
                 self.fail(node, "keywords for a function of unknown parameters", "them by their places")
+            for _, *takes in (each.of for each in either(kind) if each.of[1:]):
+                args = [part for each in node.args for part in self.arguments_of(each)]
+                inner = self.inner.get(name) if isinstance(function, ast.Name) else None
+                fits = self.paired(Found(self.module, inner), node) if inner else len(takes) == len(args)
+                if fits in (None, False):
+                    self.refuse(node, "too many arguments, or too few")
+                for value, wanted in zip(args, takes, strict=False):
+                    self.accept(value, wanted)
         elif found.is_enum:
             self.fail(node, "a member of an enumeration by its value")
+        elif isinstance(function, ast.Attribute) and len(kinds := either(self.infer(function.value))) > 1:
+            for each in kinds:
+                method = self.of_class(each.name, name)[1]
+                if method and [*map(_called, method.parameters)] != [*map(_called, found.parameters)]:
+                    self.refuse(node, f"{name} of {each} has other parameters", "a method for each")
+                if method and method is not found:
+                    self._typed(node, method)
         new = "new " if found and found.is_class else ""
-        return f"{new}{self.dotted(function)}({self._arguments(node, found)})"
+        text = f"{new}{self.dotted(function)}({self._arguments(node, found)})"
+        self.held = {key: kind for key, kind in self.held.items() if self._stays(key)}
+        return text
 
     def _replaced(self, node: ast.Call, of: ast.expr) -> str:
         """Return a record with some of its fields replaced."""
@@ -200,7 +218,11 @@ class Calls(Expressions):
                 self.fail(node, "an error of several arguments", "one text")
             if any(self.infer(each) != STR for each in node.args):
                 self.refuse(node, "an error whose argument is no text", "a text")
+            if name == "KeyError" and not node.args:
+                self.fail(node, "a KeyError without a key", "a text")
             return f"new $.{name}({self.all(node.args)})"
+        if any(isinstance(each, ast.Starred) for each in node.args):
+            self.fail(node, f"unpacked arguments of {name}", "each by itself")
         for kind in either(receiver) if receiver else (ANY,):
             method = self.of_class(kind.name, name)[1] or found
             form, fitting = self.form(method, node, kind)
@@ -209,10 +231,11 @@ class Calls(Expressions):
                 forms = (ast.unparse(each.node.args) for each in self.program.variants(method))
                 taken = " or ".join(f"{name}({each})" for each in forms)
                 self.refuse(node, f"{name} of ({given}) is not in the table", taken)
+            takes = self.of_receiver(form, kind)
             for value, parameter in self.paired(form, node) or []:
                 self._marked(node, value, parameter, kind)
-        if any(isinstance(each, ast.Starred) for each in node.args):
-            self.fail(node, f"unpacked arguments of {name}", "each by itself")
+                if takes and leaf(parameter.annotation) not in ("Compared", "Key"):  # what is looked for
+                    self.accept(value, filled(self.annotated(parameter.annotation, form.module), takes))
         arguments = self._arguments(node, form)
         if isinstance(node.func, ast.Attribute):
             if receiver:
@@ -231,12 +254,14 @@ class Calls(Expressions):
                 allowed = [each.value for each in ast.walk(annotation) if isinstance(each, ast.Constant)]
                 if not isinstance(value, ast.Constant) or value.value not in allowed:
                     self.fail(value, "it has to be one of the table", " or ".join(map(repr, allowed)))
+                if value.value == "backslashreplace" and getattr(node.args[0], "value", "") != "utf-8":
+                    self.fail(value, "it has to be one of the table", "'replace', or encode to utf-8")
             case "Ordered":
                 kind = kind.of[0] if kind.name == "call" else self.item(kind)
                 self.orderable(node, kind, kind)
             case "Compared":
                 self.comparable(node, kind, self.item(receiver))
-            case "Key":
+            case "Key" | "New":
                 self.key(node, kind, receiver)
             case "Keys":
                 self.keyed(node, self.item(kind))
@@ -310,16 +335,22 @@ class Calls(Expressions):
         """Refuse too many arguments or too few, and values of other types than a record's fields have."""
         forms = self.program.variants(found) if found.is_function else [found]
         pairs = [self.paired(each, node) for each in forms]
-        fitting = next((each for each in pairs if each is not None), None)
-        if fitting is None:
+        if not any(each is not None for each in pairs):
             parameters = [each for form in forms for each in self.program.signature(form) or []]
             names = {each.name for each in parameters}
             if "**" not in {each.how for each in parameters} and {each.arg for each in node.keywords} - names:
                 self.refuse(node, "keywords that are no parameters")
+            if any(isinstance(part, ast.Starred) for each in node.args for part in self.arguments_of(each)):
+                self.refuse(node, "what is unpacked may have another length", "a tuple")
             self.refuse(node, "too many arguments, or too few")
-        if found.fields is not None:
-            for value, field in fitting or []:
-                self.accept(value, self.annotated(field.annotation, field.module))
+        if found.ours:
+            form = self.form(found, node, None)[0] if found.is_function else found
+            for value, parameter in self.paired(form, node) or []:
+                self.accept(value, self.annotated(parameter.annotation, parameter.module))
+
+
+def _called(parameter: Parameter) -> tuple[str, str]:
+    return parameter.how, parameter.name
 
 
 def _is_simple(node: ast.expr) -> bool:

@@ -10,7 +10,7 @@ indexes are within their arrays.
 import ast
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NoReturn
 
 from pdp8.web.translator.inference import Types, rebound
@@ -23,6 +23,7 @@ from pdp8.web.translator.types import (
     FLOAT,
     FLOATS,
     INT,
+    MUTABLE,
     NONE,
     NUMBERS,
     REAL,
@@ -60,6 +61,7 @@ MOST = 1 << 53
 _LISTS = ("list", "tuple", "row", "sequence", "str", "bytes", "bytearray")
 _SCALARS = (*NUMBERS, STR, BOOL, NONE)
 _TABLES = ("list", "row", "bytes", "bytearray", "words", "dict", "set")
+_THERE = ast.Name | ast.Attribute | ast.Subscript
 _IDENTICAL = ("list", "dict", "set", "bool", "None")
 
 
@@ -113,28 +115,91 @@ class Expressions(Types):
             self.fail(node, "it may be None", "a test that it is not")
         return kind
 
-    def accept(self, value: ast.expr, wanted: Type) -> None:
+    def accept(self, value: ast.AST, wanted: Type, kind: Type | None = None) -> None:
         """Refuse a value of another type than the annotation says: the translation relies on it."""
-        if not isinstance(value, ast.Lambda) and wanted != ANY:
-            kind = self.infer(value)
-            if not self._may_be(kind, wanted):
-                self.refuse(value, f"{kind} where {wanted} is annotated")
+        if wanted != ANY:
+            kind = kind or self.infer(value)
+            if not self._may_be(kind, wanted, isinstance(value, _THERE)):
+                copied = "a copy, or annotate a Sequence" if self._may_be(kind, wanted) else ""
+                self.refuse(value, f"{kind} where {wanted} is annotated", copied)
 
-    def _may_be(self, kind: Type, wanted: Type) -> bool:
+    def _may_be(self, kind: Type, wanted: Type, there: bool = False) -> bool:
+        """Whether a value may be where `wanted` is; if it is `there` already, what it takes is the same."""
         if kind.name == "|":
-            return all(self._may_be(each, wanted) for each in kind.of)
+            return all(self._may_be(each, wanted, there) for each in kind.of)
         if wanted.name == "|":
-            return any(self._may_be(kind, each) for each in wanted.of)
-        loose = ("call", "never", "type")
-        if UNSEEN in (kind, wanted) or kind.name in loose:
+            return any(self._may_be(kind, each, there) for each in wanted.of)
+        if UNSEEN in (kind, wanted) or kind.name in ("never", "type"):
             return True
-        if (kind == BOOL and wanted in NUMBERS) or wanted in self.program.protocols:
-            return True
+        if kind.name == wanted.name == "call":
+            return self._may_be_called(kind, wanted)
+        if wanted in self.program.protocols:
+            return self._is_as(kind, wanted)
         if kind.name == "view" and wanted.name in ("set", "iterable"):
             return True
         if kind.name == wanted.name and len(kind.of) == len(wanted.of):
-            return all(map(self._may_be, kind.of, wanted.of))
+            same = there and kind.name in MUTABLE
+            return all(
+                self._may_be(one, other, there) and (not same or self._may_be(other, one, there))
+                for one, other in zip(kind.of, wanted.of, strict=True)
+            )
         return self.fits(kind, wanted)
+
+    def _is_as(self, kind: Type, protocol: Type) -> bool:
+        """Whether a class has what a protocol has."""
+        of = self.ours(kind)
+        if of and (kind, protocol) not in self.program.fitting:
+            self.program.fitting[kind, protocol] = True  # while its methods are looked at
+            bases = self.program.lineage(self.program.classes[protocol.name])
+            names = {name for base in bases if base.ours for name in base.members}
+            fitting = all(self.has(kind, name) and self.used_alike(kind, protocol, name) for name in names)
+            self.program.fitting[kind, protocol] = fitting
+        return of is not None and self.program.fitting[kind, protocol]
+
+    def used_alike(self, kind: Type, other: Type, name: str) -> bool:
+        """Whether a member of a class may be used as that of another one."""
+        (names, one), (others, wanted) = (self._used(each, name) for each in (kind, other))
+        return names[: len(others)] == others and self._may_be(one, wanted)
+
+    def _used(self, of: Type, name: str) -> tuple[list[tuple[str, str]], Type]:
+        """Return the parameters of a method, and the type of a member."""
+        kind, method = self.of_class(of.name, name)
+        if not method or method.is_property:
+            return [], kind
+        takes = [self.annotated(each.annotation, each.module) for each in method.parameters[1:]]
+        return [(each.how, each.name) for each in method.parameters], Type("call", (kind, *takes))
+
+    def _may_be_called(self, kind: Type, wanted: Type) -> bool:
+        """Whether a function takes what `wanted` does, and returns what it does."""
+        (returned, *takes), (result, *given) = kind.of, wanted.of
+        if takes and given:
+            fitting = (each == ANY or self._may_be(each, to) for each, to in zip(given, takes, strict=False))
+            if len(takes) != len(given) or not all(fitting):
+                return False
+        return result in (NONE, ANY) or self._may_be(returned, result)
+
+    def in_order(self, one: ast.expr, other: ast.expr) -> bool:
+        """Whether it may be seen which of two expressions is evaluated first."""
+        parts, others = [*ast.walk(one)], [*ast.walk(other)]
+        return (any(map(self._acts, parts)) and any(map(self._changes, others))) or (
+            any(map(self._acts, others)) and any(map(self._changes, parts))
+        )
+
+    def _changes(self, node: ast.AST) -> bool:
+        """Whether it reads what a call may change."""
+        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Load):
+            found = self.found(node)
+            return node.attr in self.program.rebound or (found is not None and found.is_property)
+        return self._acts(node) or (isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load))
+
+    def _acts(self, node: ast.AST) -> bool:
+        """Whether it is a call that may change something."""
+        if not isinstance(node, ast.Call):
+            return False
+        found = self.found(node.func)
+        if found and found.is_class and found.fields is not None:
+            return self.of_class(found.kind.name, "__post_init__")[1] is not None
+        return found is None or found.ours or leaf(node.func) in ("next", "pop", "setdefault")
 
     # Truth.
 
@@ -172,7 +237,11 @@ class Expressions(Types):
             case ast.Attribute():
                 return self._attribute(node)
             case ast.Call():
-                return self.call(node)
+                text, found = self.call(node), self.found(node.func)
+                may_be_none = found and found.is_function and isinstance(found.node.returns, ast.BinOp)
+                if self.infer(node) == NONE and not may_be_none:
+                    self.refuse(node, "a call that returns nothing, as a value", "None")
+                return text
             case ast.Constant(None):
                 return "null"
             case ast.Constant(bytes(value)):
@@ -189,16 +258,13 @@ class Expressions(Types):
                 return self._unary(node, operator, value)
             case ast.BoolOp(operator, values):
                 return self._choice(isinstance(operator, ast.And), values)
-            case ast.IfExp(test, one, other):
-                text = self.test(test)
-                with self.holding(test, True):
-                    first = self.e(one)
-                with self.holding(test, False):
-                    return f"({text} ? {first} : {self.e(other)})"
+            case ast.IfExp():
+                return self._either(node, self.e)
             case ast.Compare(left, operators, rights):
                 return self._compared(node, left, operators, rights)
             case ast.NamedExpr(target, value):
                 text = f"({self.e(target)} = {self.e(value)})"
+                self.accept(value, self.scope.get(target.id, ANY))
                 self.forget(*rebound(node))
                 return text
             case ast.Subscript(value, index):
@@ -223,7 +289,7 @@ class Expressions(Types):
             case ast.Lambda(ast.arguments(defaults=[], vararg=None, kwarg=None, kwonlyargs=[]), body):
                 names = self.taken(node)
                 with self.naming(names):
-                    return f"(({', '.join(map(named, names))}) => {self.e(body)})"
+                    return f"(({', '.join(map(named, names))}) => {self.done(body)})"
             case ast.JoinedStr(values):
                 return f"`{''.join(map(self._piece, values))}`"
             case ast.ListComp(value, generators):
@@ -239,6 +305,19 @@ class Expressions(Types):
                 self.keyed(node, self.infer(node).of[0])
                 return f"$.dict({self.listed(generators, ast.Tuple([key, value]))})"
         self.fail(node, instead=_INSTEAD.get(type(node), ""))
+
+    def done(self, node: ast.expr) -> str:
+        """Return an expression whose value may be unused."""
+        if isinstance(node, ast.IfExp):
+            return self._either(node, self.done)
+        return self.call(node) if isinstance(node, ast.Call) else self.e(node)
+
+    def _either(self, node: ast.IfExp, write: Callable[[ast.expr], str]) -> str:
+        text = self.test(node.test)
+        with self.holding(node.test, True):
+            first = write(node.body)
+        with self.holding(node.test, False):
+            return f"({text} ? {first} : {write(node.orelse)})"
 
     def call(self, node: ast.Call) -> str:
         """Return a call."""
@@ -426,7 +505,11 @@ class Expressions(Types):
                 self.comparable(node, *kinds)
                 return f"{no}$.eq({a}, {b})"
             case ast.In() | ast.NotIn():
-                return no + self._contained(node, (a, kinds[0]), (b, kinds[1]))
+                before = ""
+                if self.in_order(one, other):
+                    a, before = (once := self.temp()), f"{once} = {a}, "
+                text = no + self._contained(node, (a, kinds[0]), (b, kinds[1]))
+                return f"({before}{text})" if before else text
         name, sign = _ORDER[type(operator)]
         if numbers or values == (STR, STR):
             return f"({a} {sign} {b})"
@@ -646,7 +729,7 @@ class Expressions(Types):
             return text
         if all(each in (*simple, BYTES) or (self._writes_itself(each) and not quoted) for each in kinds):
             return f"$.{name}({text})"
-        if kinds <= {*simple, BYTES, FLOAT}:
+        if kind == FLOAT:
             return f"$.{name}($.floating({text}))"
         if kind.name == "set":
             self.fail(node, "a set has another order in JavaScript", "sorted(...)")

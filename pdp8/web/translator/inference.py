@@ -52,7 +52,7 @@ _GENERIC = {
     "Iterator": "iterator", "Generator": "iterator", "View": "view", "range": "range", "Pattern": "Pattern",
 }  # fmt: skip
 _MARKS = (
-    "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "Keys", "Character", "Base",
+    "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "New", "Keys", "Character", "Base",
 )  # fmt: skip
 """Annotations that have the type of what is in their brackets."""
 _TABLE = {"word": "int", "real": "float", "row": "tuple", "sequence": "tuple"}
@@ -76,6 +76,10 @@ class Types:
         """The names of the functions around, and their types."""
         self.held: dict[str, Type] = {}
         """What tests have said of expressions: {source: type}."""
+        self.shared = frozenset[str]()
+        """The names that functions within these functions set."""
+        self.inner: dict[str, ast.FunctionDef] = {}
+        """The functions within these functions."""
         self.lambdas: dict[ast.AST, list[Type]] = {}
         """The types of the parameters of functions that are given to others."""
 
@@ -242,10 +246,9 @@ class Types:
             case ast.NamedExpr(target, value):
                 return [(target, self.infer(value))]
             case ast.For(target, iterable) | ast.comprehension(target, iterable):
-                return self._apart(target, self.item(self.infer(iterable)))
+                return self.apart(target, self.item(self.infer(iterable)))
             case ast.ExceptHandler(ast.expr() as kind, str(name)):
-                kinds = kind.elts if isinstance(kind, ast.Tuple) else [kind]
-                return [(ast.Name(name), join(*(self._error(each) for each in kinds)))]
+                return [(ast.Name(name), self.caught(kind))]
             case ast.Expr(ast.Call(ast.Attribute(ast.Name() as of, "append" | "add" as method), [value])):
                 if item_of(self.infer(of)) == UNSEEN:
                     return [(of, made("list" if method == "append" else "set", self.infer(value)))]
@@ -256,24 +259,25 @@ class Types:
             of = self.infer(target.value)
             if of.name == "dict" and UNSEEN in of.of:
                 return [(target.value, made("dict", self.infer(target.slice), kind))]
-        return self._apart(target, kind)
+        return self.apart(target, kind)
 
-    def _error(self, node: ast.expr) -> Type:
-        found = self.found(node)
-        return found.kind if found and found.is_class else ANY
+    def caught(self, node: ast.expr) -> Type:
+        """Return the type of the errors that a handler catches."""
+        errors = map(self.found, node.elts if isinstance(node, ast.Tuple) else [node])
+        return join(*(each.kind if each and each.is_class else ANY for each in errors))
 
-    def _apart(self, target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
+    def apart(self, target: ast.AST, kind: Type) -> list[tuple[ast.AST, Type]]:
         """Return each name of a target with its type."""
         if isinstance(target, ast.Starred):
             return [(target.value, made("list", kind))]
-        if not isinstance(target, ast.Tuple):
+        if not isinstance(target, ast.Tuple | ast.List):
             return [(target, kind)]
         kind = without_none(kind)
         parts, count = self.parts(kind), len(target.elts)
         if parts is None or len(parts) != count:
             parts = (self.item(kind),) * count
         return [
-            pair for each, part in zip(target.elts, parts, strict=True) for pair in self._apart(each, part)
+            pair for each, part in zip(target.elts, parts, strict=True) for pair in self.apart(each, part)
         ]
 
     def parts(self, kind: Type) -> tuple[Type, ...] | None:
@@ -393,8 +397,8 @@ class Types:
             case ast.NamedExpr(_, value):
                 return self.infer(value)
             case ast.Lambda(_, body):
-                with self.naming(self.taken(node)):
-                    return Type("call", (self.infer(body),))
+                with self.naming(taken := self.taken(node)):
+                    return Type("call", (self.infer(body), *taken.values()))
             case ast.ListComp() | ast.GeneratorExp() | ast.SetComp() | ast.DictComp():
                 return self._comprehended(node)
         return ANY
@@ -485,7 +489,7 @@ class Types:
             case ast.FunctionDef():
                 return Type("call", (self.annotated(found.node.returns, found.module), *self._takes(found)))
             case ast.ClassDef():
-                return Type("list" if found.is_enum else "type", (found.kind,))
+                return Type("iterable" if found.is_enum else "type", (found.kind,))
             case ast.expr() as value:
                 return self._constant(found, value)
         return ANY
@@ -580,10 +584,7 @@ class Types:
         pairs = self.paired(found, call)
         if pairs is None:
             return None
-        given: dict[str, Type] = {}
-        for first in found.parameters[:1]:
-            if receiver and first.name == "self" and first.annotation:
-                self.unify(self.annotated(first.annotation, found.module), receiver, given)
+        given = self.of_receiver(found, receiver)
         functions: list[tuple[ast.expr, Type]] = []
         for value, parameter in pairs:
             wanted = self.annotated(parameter.annotation, found.module)
@@ -596,6 +597,14 @@ class Types:
             self.unify(wanted, kind, given)
         for value, wanted in functions:  # when it is known what they take
             self._given(value, wanted, given)
+        return given
+
+    def of_receiver(self, method: Found, receiver: Type | None) -> dict[str, Type]:
+        """Return the types of the type variables that the receiver of a method decides."""
+        given: dict[str, Type] = {}
+        for first in method.parameters[:1]:
+            if receiver and first.name == "self" and first.annotation:
+                self.unify(self.annotated(first.annotation, method.module), receiver, given)
         return given
 
     def _given(self, value: ast.expr, wanted: Type, given: dict[str, Type]) -> None:
@@ -620,27 +629,43 @@ class Types:
     def paired(self, found: Found, call: ast.Call) -> list[tuple[ast.expr, Parameter]] | None:
         """Return each argument with its parameter; None if there are too many or too few.
 
-        What comes behind an unpacked argument has no parameter that is known.
+        What is unpacked is an item for each of its parts, or, if their number is unknown, for `*`.
         """
         parameters = self.program.signature(found) or []
         places = [each for each in parameters if each.how in ("", "/")]
         rest = {each.how: each for each in parameters}
-        args = call.args
-        unpacked = next((at for at, each in enumerate(args) if isinstance(each, ast.Starred)), len(args))
-        if unpacked > len(places) and "*" not in rest:
+        args = [part for each in call.args for part in self.arguments_of(each)]
+        if any(isinstance(each, ast.Starred) for each in args[: len(places)]):
             return None
-        more = [rest["*"]] * unpacked if "*" in rest else []
-        pairs = [*zip(args[:unpacked], [*places, *more], strict=False)]
+        if len(args) > len(places) and "*" not in rest:
+            return None
+        pairs = [*zip(args, places, strict=False)]
+        pairs += [(each, rest["*"]) for each in args[len(places) :]]
         left = {each.name: each for each in parameters if each.how == "key" or each in places[len(args) :]}
         for keyword in call.keywords:
             parameter = left.get(keyword.arg or "")
             if parameter and parameter.how != "/":
                 pairs.append((keyword.value, parameter))
-            elif keyword.arg is not None and "**" not in rest:
+            elif "**" in rest:
+                value = keyword.value if keyword.arg else _item(keyword.value, None)
+                pairs.append((value, rest["**"]))
+            elif keyword.arg is not None:
                 return None
         given = {each.arg for each in call.keywords}
         missing = any(each.default is None and each.name not in given for each in left.values())
-        return None if missing and unpacked == len(args) else pairs
+        return None if missing else pairs
+
+    def arguments_of(self, argument: ast.expr) -> list[ast.expr]:
+        """Return an argument, or each part of what is unpacked if their number is known."""
+        match argument:
+            case ast.Starred(ast.Tuple(items) | ast.List(items)):
+                return [part for each in items for part in self.arguments_of(each)]
+            case ast.Starred(ast.GeneratorExp(made, [ast.comprehension(_, ast.Tuple(items), [])] as loops)):
+                each = ast.copy_location(ast.ListComp(made, loops), argument)
+                return [_item(each, at) for at, _ in enumerate(items)]
+            case ast.Starred(value) if (parts := self.parts(self.infer(value))) is not None:
+                return [_item(value, at) for at, _ in enumerate(parts)]
+        return [argument]
 
     def unify(self, pattern: Type, kind: Type, given: dict[str, Type]) -> None:
         """Find the types of the type variables of `pattern`."""
@@ -663,7 +688,7 @@ class Types:
 
     def fits(self, kind: Type, wanted: Type) -> bool:
         """Whether something of `kind` may be given where `wanted` is."""
-        if kind == UNSEEN or wanted == ANY or wanted.name[0] == "~":
+        if UNSEEN in (kind, wanted) or wanted == ANY or wanted.name[0] == "~":
             return True
         if kind.name == "|":
             return all(self.fits(each, wanted) for each in kind.of)
@@ -674,7 +699,7 @@ class Types:
             return kind == wanted or (wanted, kind) == (INT, WORD) or (wanted == REAL and kind in NUMBERS)
         match wanted.name:
             case "SupportsInt":
-                return kind in (ANY, BOOL, *NUMBERS) or kind.name in ("Fraction", "SupportsInt")
+                return self.plain(kind) in (ANY, BOOL, *NUMBERS) or kind.name in ("Fraction", "SupportsInt")
             case "sized":
                 sized = kind.name in (*_SEQUENCES, "dict", "set", "view") or self.parts(kind) is not None
                 return sized or self.of_class(kind.name, "__len__")[1] is not None
@@ -714,6 +739,16 @@ class Types:
         """Forget what tests said of names, and of their attributes."""
         self.held = _without(self.held, names)
 
+    def _stays(self, source: str) -> bool:
+        """Whether a call leaves it as a test has found it: a local name, a field of what is frozen."""
+        node = ast.parse(source, mode="eval").body
+        while isinstance(node, ast.Attribute):
+            of = self.ours(without_none(self.infer(node.value)))
+            if not of or not of.is_frozen:
+                return False
+            node = node.value
+        return isinstance(node, ast.NamedExpr | ast.Name) and leaf(node) not in self.shared
+
     def said(self, test: ast.expr, positive: bool) -> dict[str, Type]:
         """Return the types of names and attributes if a test is true, or if it is not: {source: type}."""
         match test:
@@ -738,9 +773,11 @@ class Types:
                 if same:
                     return self._known(left, NONE) if NONE in either(kind) else {}
                 return self._known(left, UNSEEN if kind == NONE else without_none(kind))
-            case ast.Compare(left, [ast.Eq()], [right]) if positive and NONE not in either(self.infer(right)):
-                kind = self.infer(left)
-                return self._known(left, without_none(kind)) if kind.name == "|" else {}
+            case ast.Compare(left, [ast.Eq() | ast.In() as sign], [right]) if positive:
+                kind, other = self.infer(left), self.infer(right)
+                others = either(self.item(other) if isinstance(sign, ast.In) else other)
+                there = kind.name == "|" and {NONE, ANY, UNSEEN}.isdisjoint(others)
+                return self._known(left, without_none(kind)) if there else {}
             case ast.Call(ast.Name("isinstance"), [value, of]):
                 return self._known(value, self._instances(self.infer(value), of, positive))
             case ast.Name() | ast.Attribute() | ast.NamedExpr() | ast.Subscript():
@@ -786,6 +823,11 @@ class Types:
 def rebound(node: ast.AST) -> frozenset[str]:
     """Return the names that `:=` sets in an expression."""
     return frozenset(each.target.id for each in own([node]) if isinstance(each, ast.NamedExpr))
+
+
+def _item(of: ast.expr, key: int | None) -> ast.expr:
+    """Return the expression of an item."""
+    return ast.copy_location(ast.Subscript(of, ast.Constant(key), ast.Load()), of)
 
 
 def _without(held: dict[str, Type], names: Collection[str]) -> dict[str, Type]:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from types import MappingProxyType
 
 from pdp8.web.translator.expressions import member, named
-from pdp8.web.translator.program import Found, Module, Program, Untranslated, set_in
+from pdp8.web.translator.program import Found, Module, Program, Untranslated, own, set_in
 from pdp8.web.translator.statements import Statements
 from pdp8.web.translator.types import INT, STR, leaf, whole
 
@@ -85,6 +85,10 @@ class Writer(Statements):
         """Return what a module defines as `name`."""
         self.trusted = name in self.dynamic
         self.held, self.owner = {}, ""
+        value = node.value if isinstance(node, ast.AnnAssign) else node
+        if value and not isinstance(node, ast.FunctionDef | ast.ClassDef):
+            names = [*self.module.defined]
+            self._after(names[names.index(name) :], value)
         match node:
             case ast.ClassDef():
                 return self._class(Found(self.module, node))
@@ -100,6 +104,12 @@ class Writer(Statements):
             case _:
                 text = self.e(node)  # type: ignore[arg-type]
         return [f"export const {named(name)} = {text};"]
+
+    def _after(self, later: list[str], node: ast.AST) -> None:
+        """Refuse a value of the module that is made of a name defined later."""
+        for each in own([node]):
+            if isinstance(each, ast.Name) and each.id in later:
+                self.fail(each, "it has no value yet", "its definition above")
 
     def _cached(self, node: ast.FunctionDef, head: str, rest: list[str]) -> list[str]:
         """Return a function that keeps what it has returned."""
@@ -178,14 +188,29 @@ class Writer(Statements):
         taken = {*_TAKEN} - ({"length"} if not self.of_class(of.kind.name, "__len__")[1] else set())
         if any(each.kind.name == "BaseException" for each in self.program.lineage(of)):
             taken |= {*_ERRORS}
+            init, own_text = of.declared.get("__init__"), self.of_class(of.kind.name, "__str__")[1]
+            if init and "super().__init__(" not in ast.unparse(init) and not (own_text and own_text.ours):
+                self.fail(init, "an error without its text", "super().__init__(...)")
+        for each in methods:
+            if each.name[:2] == "__" and each.name not in _DUNDERS:
+                self.fail(each, "a method that nothing would call", f"one of {', '.join(_DUNDERS)}")
         taken |= {name for name in names if name[:2] == "__" and name not in _DUNDERS}
         for name in sorted(names & taken):
             why = f"{name} is something else in JavaScript, or of a class of Python's own"
             self.fail(node, why, "another name")
+        self._as_in_its_bases(of)
         if of.is_enum:
             for method in methods:
                 self.fail(method, "a method of an enumeration", "a function")
             self._constants_only(of)
+
+    def _as_in_its_bases(self, of: Found) -> None:
+        """Refuse a method or an attribute that is used in another way than that of a base class."""
+        for base in [*self.program.lineage(of)][1:]:
+            for name in sorted(of.members & base.members - {"__init__"}) if base.ours else ():
+                if not self.used_alike(of.kind, base.kind, name):
+                    why = f"{name} is not as in {base.node.name}"
+                    self.fail(of.declared.get(name, of.node), why, "the same parameters and types")
 
     def _constants_only(self, of: Found) -> None:
         """Refuse an enumeration whose members are not constants, all different."""
@@ -217,7 +242,8 @@ class Writer(Statements):
                     value = ast.copy_location(ast.Call(made, [], []), value) if option != "default" else made
                 case ast.expr():
                     self.fixed(value, each.annotation)
-                    self.accept(value, self.annotated(each.annotation, each.module))
+            if value:
+                self.accept(value, self.annotated(each.annotation, each.module))
             parameters.append(named(each.name) + (f" = {self.e(value)}" if value else ""))
         given = ", ".join(named(each.name) for each in fields)
         sets = " ".join(f"this.{member(each.name)} = {named(each.name)};" for each in fields)
@@ -235,7 +261,7 @@ class Writer(Statements):
         if "cache" in marks or ("contextmanager" in marks and of.is_static):
             self.fail(node, "cache of a method", "cached_property")
         if not of.is_static and [each.arg for each in node.args.args][:1] != ["self"]:
-            self.fail(node, "a method whose first parameter is not self", "self")
+            self.fail(node, "a method whose first parameter is not self", "self, or @staticmethod")
         name, self.held = member(node.name), {}
         trusted, self.trusted = self.trusted, self.trusted or f"{owner}.{node.name}" in self.dynamic
         star, head, *rest = self.function(node)

@@ -159,6 +159,12 @@ def set_in(method: ast.FunctionDef) -> frozenset[str]:
     return frozenset(each.attr for each in attributes if isinstance(each.ctx, ast.Store))
 
 
+def _first_set(node: ast.ClassDef) -> list[ast.AST]:
+    """Return the attributes that `__init__` sets."""
+    body = getattr(_declared(node).get("__init__"), "body", [])
+    return [each for each in own(body) if leaf(getattr(each, "value", None)) == "self"]
+
+
 def own(body: Iterable[ast.AST]) -> list[ast.AST]:
     """Return all nodes of these statements but those of functions and classes inside."""
     return [part for node in body for part in _own(node)]
@@ -260,10 +266,20 @@ class Program:
         self.annotations: dict[tuple[ast.AST, str, str], Type] = {}
         self.attributes: dict[tuple[str, str], tuple[Type, Found | None]] = {}
         self.constants: dict[ast.AST, Type] = {}
+        self.fitting: dict[tuple[Type, Type], bool] = {}
         self.overloaded: dict[ast.AST, list[Found]] = {}
         bases = (leaf(base) for found in self.classes.values() for base in found.node.bases)
         self.inherited = frozenset(bases)
         """The names of all classes that others are made from."""
+        trees = [module.tree for module in self.modules.values()]
+        first = {part for found in self.classes.values() for part in _first_set(found.node)}
+        self.rebound = frozenset(
+            each.attr
+            for tree in trees
+            for each in ast.walk(tree)
+            if isinstance(each, ast.Attribute) and not isinstance(each.ctx, ast.Load) and each not in first
+        )
+        """The attributes that may be set again after they have been set by `__init__`."""
 
     def find(self, module: Module, name: str) -> Found | None:
         """Return where a name leads from a module; None if it leaves the modules that are translated."""

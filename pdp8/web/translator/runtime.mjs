@@ -75,9 +75,8 @@ export const bound = (of, name) => (...args) => of[name](...args);
 export const cache = (f) => {
   const known = new Map();
   return (of) => {
-    const name = of === true || of === false ? +of : of; // f(True) is f(1)
-    if (!known.has(name)) known.set(name, f(of));
-    return known.get(name);
+    if (!known.has(of)) known.set(of, f(of));
+    return known.get(of);
   };
 };
 /** Keep the value of a cached property. */
@@ -503,7 +502,6 @@ class Floating extends Number {
 /** 1e-7 as 1e-07. */
 const exponent = (text) => text.replace(/([+-])(\d)$/, "$10$2");
 export const floating = (of) => new Floating(of);
-const digits = (of) => (Number.isInteger(of) ? String(BigInt(of)) : String(new Floating(of)));
 const CONTROLS = { "\n": "\\n", "\r": "\\r", "\t": "\\t", "\\": "\\\\" };
 const escaped = (c) => {
   const code = c.codePointAt(0);
@@ -518,7 +516,7 @@ const quoted = (of, unseen) => {
 export const repr = (of) => {
   if (of === null) return "None";
   if (typeof of === "boolean") return of ? "True" : "False";
-  if (typeof of === "number") return digits(of);
+  if (typeof of === "number") return String(Number.isInteger(of) ? BigInt(of) : new Floating(of));
   if (typeof of === "string") return quoted(of, /[\\\p{C}\p{Zl}\p{Zp}\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]/gu);
   if (of instanceof Bytes) return `b${quoted(latin(of), /[\\\x00-\x1f\x7f-\xff]/g)}`;
   if (of instanceof Record) return displayed(of, ...fields(of).map(() => repr));
@@ -537,7 +535,7 @@ export const displayed = (of, ...items) => {
 const fixed = (of, places) => {
   if (of >= 1e21) return `${Number.isFinite(of) ? BigInt(of) : "inf"}${places && Number.isFinite(of) ? `.${"0".repeat(places)}` : ""}`;
   const made = of.toFixed(places);
-  if (of >= 1e15) return made;
+  if (of >= 5e15) return made;
   const exact = of.toFixed(places + 25);
   const below = exact.slice(0, -25).replace(/\.$/, "");
   return /50{24}$/.test(exact) && below.at(-1) % 2 === 0 ? below : made;
@@ -553,12 +551,12 @@ const SPEC = /^([+])?(0)?(\d+)?(,)?(?:\.(\d+))?([oxfg])?$/;
 /** A number is at the right of its width, a text at the left. */
 export const format = (of, spec) => {
   const [, plus, zero, width = 0, comma, places = 6, kind] = SPEC.exec(spec) ?? refuse(ValueError, "Invalid format specifier");
-  if (typeof of !== "number" && typeof of !== "bigint" && !(of instanceof Number)) return str(of).padEnd(width);
+  if (!num(of) && !(of instanceof Number)) return str(of).padEnd(width);
   const float = of instanceof Number || kind === "f" || kind === "g"; // a whole number has no -0
-  const size = float ? Math.abs(Number(of)) : of < 0 ? -of : of;
+  const size = float ? Math.abs(Number(of)) : BigInt(of < 0 ? -of : of);
   if (Number.isNaN(size)) return "nan".padStart(width);
-  const sign = of < 0 || (float && Object.is(+of, -0)) ? "-" : plus ?? "";
-  let body = float ? String(new Floating(size)) : digits(size);
+  const sign = of < 0 || (float && Object.is(Number(of), -0)) ? "-" : plus ?? "";
+  let body = String(float ? new Floating(size) : size);
   if (kind === "o" || kind === "x") body = size.toString(kind === "o" ? 8 : 16);
   else if (kind === "f") body = fixed(size, +places);
   else if (kind === "g") body = general(size, +places || 1);
@@ -700,7 +698,9 @@ export const enumerate = function* (of, start = 0) {
 const zipped = (strict) => function* (...of) {
   const parts = of.map(iter);
   for (;;) {
-    const found = parts.map((part) => part.next()), short = found.findIndex(({ done }) => done);
+    const found = [];
+    for (const part of parts) if (strict || !found.at(-1)?.done) found.push(part.next());
+    const short = found.findIndex(({ done }) => done);
     if (short >= 0 && strict && !found.every(({ done }) => done)) {
       const [at, how] = short ? [short, "shorter"] : [found.findIndex(({ done }) => !done), "longer"];
       throw new ValueError(`zip() argument ${at + 1} is ${how} than argument${at > 1 ? "s 1-" : " "}${at}`);

@@ -12,6 +12,7 @@ from pdp8.web.translator.expressions import named
 from pdp8.web.translator.program import Found, own
 from pdp8.web.translator.types import (
     ANY,
+    NONE,
     WHOLE,
     Type,
     either,
@@ -57,19 +58,22 @@ class Statements(Calls):
                 self.held |= self.said(test, True)
                 return [f"if (!{text}) throw new $.AssertionError({why});"]
             case ast.Expr(ast.Yield(value)):
-                return [f"yield {self.e(value) if value else 'null'};"]
+                return [f"yield {self.accepted(value, self.item(self.returns)) if value else 'null'};"]
             case ast.Expr(ast.YieldFrom(value)):
-                return [f"yield* {self.iterated(value)};"]
+                text = self.iterated(value)
+                self.accept(value, Type("iterable", (self.item(self.returns),)))
+                return [f"yield* {text};"]
             case ast.Expr(value):
-                return [self.e(value) + ";"]
+                return [self.done(value) + ";"]
             case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(
                 values
             ) and not any(isinstance(each, ast.Starred) for each in (*targets, *values)):
                 return self._all(targets, values)
-            case ast.Assign([target], value):
-                return [self.put(target, self._right(target, value), value)]
+            case ast.Assign([target], value) if not self.in_order(value, target):
+                return [self.put(target, self.e(value), value)]
             case ast.AnnAssign(target, annotation, ast.expr() as value):
-                return [self.put(target, self.accepted(value, self.annotated(annotation)), value)]
+                self.expect(value, self.annotated(annotation))
+                return [self.put(target, self.e(value), value)]
             case ast.Assign(targets, value):
                 once = self.temp()
                 return [f"{once} = {self.e(value)};", *(self.put(target, once, value) for target in targets)]
@@ -122,18 +126,6 @@ class Statements(Calls):
         self.accept(value, wanted)
         return text
 
-    def _right(self, target: ast.expr, value: ast.expr) -> str:
-        """Return what is assigned; refuse another type than the target has."""
-        text = self.e(value)
-        if isinstance(target, ast.Attribute | ast.Subscript):
-            held, self.held = self.held, {}
-            wanted = widened(self.infer(target))
-            self.held = held
-            self.accept(value, wanted)
-        elif isinstance(target, ast.Name) and target.id in self.declared:
-            self.accept(value, self.declared[target.id])
-        return text
-
     def _if(self, test: ast.expr, body: list[ast.stmt], other: list[ast.stmt]) -> list[str]:
         lines = [f"if ({self.test(test)}) {{"]
         before, yes, no = dict(self.held), self.said(test, True), self.said(test, False)
@@ -178,6 +170,7 @@ class Statements(Calls):
     def _for(self, node: ast.For, target: ast.expr, source: ast.expr, body: list[ast.stmt]) -> list[str]:
         counted = self._counted_in(source) if isinstance(target, ast.Name) else None
         text = "" if counted else self.iterated(source)
+        self.taking(target, self.item(self.infer(source)), source)
         self._set_in([node])
         held = dict(self.held)
         if counted:
@@ -218,7 +211,9 @@ class Statements(Calls):
         around = {name: self.scope[name] for name in outside}
         star = "*" if any(isinstance(part, ast.Yield | ast.YieldFrom) for part in body) else ""
         notes = [part for part in body if isinstance(part, ast.AnnAssign)]
-        outer = self.declared, self.returns, self.loops, self.catching
+        outer = self.declared, self.returns, self.loops, self.catching, self.shared
+        inner = (each.names for each in ast.walk(node) if isinstance(each, ast.Nonlocal))
+        self.shared = self.shared.union(*inner)
         self.declared = self.parameters(node)
         given = {*self.declared, *outside}
         self.declared |= {ast.unparse(each.target): self.annotated(each.annotation) for each in notes}
@@ -232,15 +227,18 @@ class Statements(Calls):
                 if isinstance(part, ast.FunctionDef):
                     takes = self._takes(Found(self.module, part))
                     scope[part.name] = Type("call", (self.annotated(part.returns), *takes))
+                    self.inner[part.name] = part
             scope.update(around)
             self.learn(node.body)
             local = [name for name in scope if name not in given]
-            Assigned(local, self).after(node.body, frozenset())
+            end = Assigned(local, self).after(node.body, frozenset())
             self.temporary.append([])
             lines = self.block(node.body)
+            if end is not None and not star and self.returns not in (ANY, NONE):
+                self.refuse(node, "it may end without return", "return None, or raise")
             local = [named(name) for name in scope if name not in given and name[0] != "$"]
         local += self.temporary.pop()
-        self.declared, self.returns, self.loops, self.catching = outer
+        self.declared, self.returns, self.loops, self.catching, self.shared = outer
         return [star, head, *([f"let {', '.join(local)};"] if local else []), *lines, "}"]
 
     def _lazy(self, body: list[ast.AST]) -> None:
@@ -281,6 +279,8 @@ class Statements(Calls):
 
     def put(self, target: ast.expr, value: str, node: ast.expr | None = None) -> str:
         """Return the assignment of an expression, in JavaScript `value`, in Python `node`."""
+        if node is not None:
+            self.taking(target, self.infer(node), node)
         match target:
             case ast.Subscript(of, index) if not isinstance(index, ast.Slice):
                 kind = self.known(of)
@@ -289,6 +289,7 @@ class Statements(Calls):
                     self.refuse(target, f"an item of {kind} is set", "a list")
                 self.index(of, index, kind)
                 if kind.name == "dict":
+                    self.accept(index, kind.of[0])
                     return f"{self.e(of)}.set({self.e(index)}, {value});"
                 if self.checked or not direct or (whole(index) or 0) < 0:
                     return f"$.put({self.e(of)}, {self.e(index)}, {value});"
@@ -310,9 +311,18 @@ class Statements(Calls):
                 return f"{self.target(target)} = {value};"
         self.fail(target, instead="an assignment to a name or an item")
 
+    def taking(self, target: ast.expr, kind: Type, node: ast.AST) -> None:
+        """Refuse to assign a value of `kind`, which is `node`, to what has another type."""
+        held, self.held = self.held, {}
+        for each, part in self.apart(target, kind):
+            if not isinstance(each, ast.Name) or each.id in self.scope:
+                self.accept(node, widened(self.infer(each)), part)
+        self.held = held
+
     def _now(self, key: str, node: ast.expr | None, declared: Type) -> None:
         """Learn the type that a name or an attribute has from here on."""
-        kind = self.infer(node) if node is not None and declared.name in ("|", "SupportsInt") else ANY
+        loose = declared.name in ("|", "SupportsInt", "tuple")
+        kind = self.infer(node) if node is not None and loose else ANY
         self.forget(key)
         if kind != ANY and (declared.name != "|" or all(each in declared.of for each in either(kind))):
             self.held[key] = kind
@@ -325,14 +335,24 @@ class Statements(Calls):
         self.attributed(target)
         for each in either(self.known(of)):
             known = self.ours(each)
+            if known and not self._is_set(known, target.attr):
+                self.refuse(target, "a property without a setter is set")
             if not known or known.is_frozen:
                 self.refuse(target, "a field of what is frozen is set", "replace(...)")
+
+    def _is_set(self, of: Found, name: str) -> bool:
+        """Whether an attribute of a class can be set: it is no property, or has a setter."""
+        there = (each.node.body for each in self.program.lineage(of) if name in each.declared)
+        defined = [
+            part for part in next(there, []) if isinstance(part, ast.FunctionDef) and part.name == name
+        ]
+        return not defined or any("setter" in Found(of.module, part).marks for part in defined)
 
     def _all(self, targets: list[ast.expr], values: list[ast.expr]) -> list[str]:
         """Return `a, b = x, y`: all values are there before any is assigned."""
         given = []
         for target, value in zip(targets, values, strict=True):
-            given.append((target, self.temp(), self._right(target, value), value))
+            given.append((target, self.temp(), self.e(value), value))
         before = [f"{once} = {text};" for _, once, text, _ in given]
         return before + [self.put(target, once, value) for target, once, _, value in given]
 
@@ -340,12 +360,11 @@ class Statements(Calls):
         """Return `target += value`; what leads to the target is evaluated once."""
         before, target = self._once(target)
         kind = without_none(self.infer(target))
-        self._accept_number(node, target)
+        result = ast.copy_location(ast.BinOp(target, node.op, node.value), node)
         if kind.name not in ("list", "bytearray", "set", "dict"):
-            return [
-                *before,
-                self.put(target, self.binary(node, node.op, self.operand(target), self.operand(value))),
-            ]
+            self.taking(target, self.infer(result), node)
+            text = self.binary(node, node.op, self.operand(target), self.operand(value))
+            return [*before, self.put(target, text)]
         is_sum, is_union = isinstance(node.op, ast.Add), isinstance(node.op, ast.BitOr)
         if not is_sum and not is_union:
             self.fail(node, f"{kind} is changed by this operator")
@@ -353,14 +372,8 @@ class Statements(Calls):
         if not is_list and self.infer(value).name != kind.name:
             self.fail(node, f"{kind} grows")
         by = self.iterated(value) if is_list else self.e(value)
+        self.accept(value, Type("iterable", (self.item(kind),)) if is_list else kind)
         return [*before, self.put(target, f"$.grown({self.e(target)}, {by}, $.{'add' if is_sum else 'or_'})")]
-
-    def _accept_number(self, node: ast.AugAssign, target: ast.expr) -> None:
-        """Refuse `n /= 2` where n is annotated an int."""
-        wanted = self.declared.get(target.id) if isinstance(target, ast.Name) else self.infer(target)
-        result = self.infer(ast.copy_location(ast.BinOp(target, node.op, node.value), node))
-        if wanted in WHOLE and result not in WHOLE:
-            self.refuse(node, f"{result} where {wanted} is annotated")
 
     def _once(self, target: ast.expr) -> tuple[list[str], ast.expr]:
         """Return a target whose parts are names, and what sets these before."""
@@ -425,7 +438,10 @@ class Statements(Calls):
             for handler in node.handlers:
                 self.held = dict(held)
                 lines.append(f"if ({self._caught(handler)}) {{")
-                lines += [f"{named(handler.name)} = $e;"] if handler.name else []
+                if handler.name and handler.type:
+                    name = ast.copy_location(ast.Name(handler.name, ast.Store()), handler)
+                    self.taking(name, self.caught(handler.type), handler)
+                    lines.append(self.put(name, "$e"))
                 catching, self.catching = self.catching, True
                 lines += [*self.block(handler.body), "} else"]
                 self.catching = catching

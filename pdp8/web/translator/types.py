@@ -41,7 +41,7 @@ BYTES, BYTEARRAY, WORDS = Type("bytes"), Type("bytearray"), Type("words")
 WHOLE = (WORD, INT)
 FLOATS = (FLOAT, REAL)
 NUMBERS = (*WHOLE, *FLOATS)
-_MUTABLE = ("list", "dict", "set")
+MUTABLE = ("list", "dict", "set")
 _ITEMS = {"bytes": WORD, "bytearray": WORD, "words": WORD, "str": STR}
 
 
@@ -102,7 +102,7 @@ def widened(kind: Type) -> Type:
 
 def made(name: str, *of: Type) -> Type:
     """Return the type of a list, set or dict of `of`."""
-    return Type(name, tuple(map(widened, of)) if name in _MUTABLE else of)
+    return Type(name, tuple(map(widened, of)) if name in MUTABLE else of)
 
 
 def item_of(kind: Type) -> Type:

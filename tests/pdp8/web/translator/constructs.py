@@ -242,9 +242,9 @@ def errors() -> Any:
     """raise, try, except in order, finally, a context manager of ours."""
     seen: list[Any] = []
     base = Base(1)
-    wrong = [lambda: {}["x"], lambda: [1][4], lambda: int("x"), lambda: 1 // len(""), _index, lambda: 0]
-    wrong += [lambda: b"\xff".decode("ascii")]
-    for bad in [lambda: _raised(Wrong("no")), lambda: _raised(Wrong("no", 4)), *wrong]:
+    wrong = [lambda: _raised(Wrong("no")), lambda: _raised(Wrong("no", 4)), _index, lambda: int("x")]
+    more = [lambda: {}["x"], lambda: [1][4], lambda: 1 // len(""), lambda: 0, lambda: b"\xff".decode("ascii")]
+    for bad in [*wrong, *more]:
         try:
             with base.noting():
                 bad()
