@@ -278,6 +278,7 @@ export class Bench {
     else if (source) {
       this.tabs.open("program");
       this.editor.open(name, frames);
+      bring("program");
     } else if (figures && !ends_blocks(frames)) {
       this.#tape(this.shelf.put(name, encode(decode(frames))));
       this.say(`${name}: a text of figures, punched with CR and LF at the ends of its lines`);
@@ -285,14 +286,18 @@ export class Bench {
   }
 
   #tape(/** @type {string} */ name) {
-    if (this.shelf.get(name).code === EIA) this.mill.cut(name);
+    const eia = this.shelf.get(name).code === EIA;
+    if (eia) this.mill.cut(name);
     else this.teletype.mount(name);
+    bring(eia ? "mill" : "reader");
   }
 
   /** Take what a file in JSON is. */
   #written(/** @type {string} */ name, /** @type {any} */ what, /** @type {string} */ text) {
-    if (what.task) this.exercises.take(name, what);
-    else if (what.program || what.machine || what.part) this.#open(what);
+    if (what.task) {
+      this.exercises.take(name, what);
+      bring("exercises");
+    } else if (what.program || what.machine || what.part) this.#open(what);
     else this.#restore(text);
   }
 
@@ -475,6 +480,12 @@ export class Bench {
     this.editor.enter();
     for (const place of [find("paper"), find("gutter"), document.querySelector("#gutter .line")]) place.scrollIntoView({ block: "nearest" }); // the first instruction, and what is printed
   }
+}
+
+/** Bring what has come of a file into view: on a phone it may be screens away. */
+function bring(/** @type {string} */ id) {
+  const place = find(id);
+  if (place.getBoundingClientRect().top > document.documentElement.clientHeight / 2) place.scrollIntoView({ block: "nearest" });
 }
 
 /** What there is to say of an error in what somebody else has made. */

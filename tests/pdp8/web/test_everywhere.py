@@ -46,6 +46,7 @@ def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     """
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until(f"{_TTY}.reader.tape.length === 5")
+    tab.until("document.getElementById('reader').getBoundingClientRect().bottom <= innerHeight")
     assert "<b>mine.asc" in tab.run("return document.querySelector('#reader .name').textContent")
     assert tab.run("return document.querySelectorAll('#reader .name b').length") == 0
     drop(tab, "mine.eia", shelf.read_bundled("circle.eia"))
