@@ -14,6 +14,7 @@ from pdp8.web.translator.types import (
     BOOL,
     FLOAT,
     INT,
+    MUTABLE,
     NONE,
     NUMBERS,
     STR,
@@ -235,6 +236,8 @@ class Calls(Expressions):
             for value, parameter in self.paired(form, node) or []:
                 self._marked(node, value, parameter, kind)
                 if takes and leaf(parameter.annotation) not in ("Compared", "Key"):  # what is looked for
+                    if kind.name in MUTABLE and UNSEEN in kind.of:
+                        self.refuse(node, "nothing says what it holds", "an annotation")
                     self.accept(value, filled(self.annotated(parameter.annotation, form.module), takes))
         arguments = self._arguments(node, form)
         if isinstance(node.func, ast.Attribute):

@@ -737,7 +737,7 @@ class Expressions(Types):
         if of and self._displays_its_fields(of):
             return f"$.displayed({text}, {self._each_shown([each for _, each in self.fields_of(of)], node)})"
         if kind.name not in ("list", "tuple", "row", "dict"):
-            self.fail(node, f"{kind} as a text", "its parts")
+            self.fail(node, f"{kind} as a text", "a test of what it is" if kind.name == "|" else "its parts")
         inner = self._each_shown(kind.of, node)
         return f"$.shown_{kind.name}({text}, {f'[{inner}]' if kind.name == 'tuple' else inner})"
 

@@ -242,6 +242,8 @@ class Types:
                 kind = self.infer(target)
                 if without_none(kind).name not in ("list", "bytearray", "set", "dict"):
                     kind = self.infer(ast.BinOp(target, operator, value))
+                elif kind == made("list", UNSEEN):
+                    kind = made("list", self.item(self.infer(value)))
                 return [(target, kind)] if isinstance(target, ast.Name | ast.Attribute) else []
             case ast.NamedExpr(target, value):
                 return [(target, self.infer(value))]
@@ -250,7 +252,7 @@ class Types:
             case ast.ExceptHandler(ast.expr() as kind, str(name)):
                 return [(ast.Name(name), self.caught(kind))]
             case ast.Expr(ast.Call(ast.Attribute(ast.Name() as of, "append" | "add" as method), [value])):
-                if item_of(self.infer(of)) == UNSEEN:
+                if of.id in self.scope.maps[0] and item_of(self.infer(of)) == UNSEEN:
                     return [(of, made("list" if method == "append" else "set", self.infer(value)))]
         return []
 

@@ -199,6 +199,11 @@ class Writer(Statements):
             why = f"{name} is something else in JavaScript, or of a class of Python's own"
             self.fail(node, why, "another name")
         self._as_in_its_bases(of)
+        lineage = [*self.program.lineage(of)]
+        if of.fields is None and not any("__init__" in each.declared for each in lineage):
+            unset = {name for name, part in of.declared.items() if getattr(part, "value", part) is None}
+            for name in sorted(unset | {*of.members}.difference(*(each.declared for each in lineage))):
+                self.fail(node, f"nothing sets {name} first", "it in __init__")
         if of.is_enum:
             for method in methods:
                 self.fail(method, "a method of an enumeration", "a function")

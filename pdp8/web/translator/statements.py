@@ -13,6 +13,7 @@ from pdp8.web.translator.program import Found, own
 from pdp8.web.translator.types import (
     ANY,
     NONE,
+    UNSEEN,
     WHOLE,
     Type,
     either,
@@ -371,6 +372,8 @@ class Statements(Calls):
         is_list = kind.name in ("list", "bytearray")
         if not is_list and self.infer(value).name != kind.name:
             self.fail(node, f"{kind} grows")
+        if UNSEEN in kind.of:
+            self.refuse(node, "nothing says what it holds", "an annotation")
         by = self.iterated(value) if is_list else self.e(value)
         self.accept(value, Type("iterable", (self.item(kind),)) if is_list else kind)
         return [*before, self.put(target, f"$.grown({self.e(target)}, {by}, $.{'add' if is_sum else 'or_'})")]
