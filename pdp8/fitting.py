@@ -141,4 +141,6 @@ def _device(file: str, name: str) -> type[Device]:
         raise WorkError(f"{file}: there is no class {name} in it")
     if not (isinstance(made, type) and issubclass(made, Device)):
         raise WorkError(f"{file}: {name} is no class derived from Device of pdp8.computer.hardware.bus")
+    if type(made.CODE) is not int:
+        raise WorkError(f"{file}: {name}.CODE is {made.CODE!r}, not a device code as in CODE = 0o13")
     return made

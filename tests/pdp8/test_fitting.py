@@ -124,6 +124,8 @@ REFUSED = {
     "wrong.py:Half": "Half: it has no method initialize, which a device has to have",
     "wrong.py:Nowhere": "Nowhere: device code 0: 01 to 77 are allowed",
     "wrong.py:Beyond": "Beyond: device code 100: 01 to 77 are allowed",
+    "wrong.py:Text": "wrong.py: Text.CODE is '13', not a device code",
+    "wrong.py:Text --device wrong.py:Text": "wrong.py: Text.CODE is '13', not a device code",
     "wrong.py:Printer": "Printer: device 04 is fitted already",
     "wrong.py:Asks": "Asks: Asks.__init__() missing 1 required positional argument: 'what'",
     "wrong.py:Forgets": "Forgets: fields names period, and it has no such attribute",
@@ -144,6 +146,7 @@ def test_what_is_no_device_is_refused(call: Call) -> None:
         " def advance(self, now): pass\n def pulse(self, iop, ac, now): return 0\n"
         f"class Nowhere(Device):\n{BODY}"
         f"class Beyond(Device):\n CODE = 0o100\n{BODY}"
+        f"class Text(Device):\n CODE = '13'\n{BODY}"
         f"class Printer(Device):\n CODE = 4\n{BODY}"
         f"class Asks(Device):\n CODE = 0o13\n def __init__(self, what): super().__init__()\n{BODY}"
         "class Counts(Device):\n CODE = 0o13\n fields = {'seen': 9999}\n seen = 0\n"

@@ -285,6 +285,8 @@ def _check(machine: Machine) -> None:
             raise StateError(f"extension: {field:05o} is not a field of {machine.memory} words of core")
     if (p.next > INTERRUPT) != (machine.bus.in_break() is not None):
         raise StateError("processor next: must be 4 to 6, as a device has a data break")
+    if NEVER in (p.clock, p.started):
+        raise StateError('processor: its clock and started are numbers, not "never"')
     if waiting.clock > p.clock or waiting.instructions > p.instructions:
         raise StateError("waiting: its clock and instructions must not exceed the processor's")
 

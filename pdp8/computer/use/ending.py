@@ -24,7 +24,7 @@ from pdp8.computer.machine import Machine
 from pdp8.computer.past import rewind
 from pdp8.computer.past.history import History
 from pdp8.computer.stop import Reason, Stop, Why
-from pdp8.computer.use.trace import Listing
+from pdp8.computer.use.trace import Listing, without_comment
 from tapes.quantities import counted
 
 KEY = "key"
@@ -217,7 +217,7 @@ _READER = {0: "no RFC asked for one", 1: "it has no tape", 2: "its tape has run 
 def _line(listing: Listing, core: Core, address: int) -> str:
     """Return an address with what is there, without its comment."""
     line = listing.line(address, core[address])
-    source = line[len(f"{address:04o}  0000") :].partition("/")[0].split()
+    source = without_comment(line[len(f"{address:04o}  0000") :]).split()
     return f"{address:04o} ({' '.join(source) or f'{core[address]:04o}'})"
 
 

@@ -90,9 +90,14 @@ class Listing:
         return f"{address:04o}  {word:04o}  {' ' * 8}{instruction(address, word, processor)}"
 
 
+def without_comment(source: str) -> str:
+    """Return a line of the source up to its comment; `"/` is a character."""
+    return source[: (source.replace('"/', '""') + "/").find("/")]
+
+
 def _tags(source: str) -> list[str]:
     """Return what a line of the source may define with commas."""
-    before = source.partition("/")[0].upper().replace(";", " ").split(",")[:-1]
+    before = without_comment(source).upper().replace(";", " ").split(",")[:-1]
     return [part.split()[-1][:SIGNIFICANT] for part in before if part.strip()]
 
 

@@ -147,6 +147,7 @@ OBJECT, OCTAL, NUMBER = (
         (given(processor={"next": 7}), f"processor next: 7 {NUMBER} 0 to 6"),
         (given(processor="x" * 76), f'processor: "{"x" * 65} {OBJECT}'),
         (given(waiting={"left": {"ac": "0000"}}), "waiting left ac: the fields are pc sr"),
+        (given(processor={"clock": "never"}), 'processor: its clock and started are numbers, not "never"'),
         (given(waiting={"clock": 5}), "waiting: its clock and instructions must not exceed the processor's"),
         (given(waiting={"instructions": 5}), "waiting: its clock and instructions must not exceed"),
     ],

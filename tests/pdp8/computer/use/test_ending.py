@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import pytest
 
+import pal
+from pal.assembly import PAL8
 from pdp8.computer.hardware.processor import Processor
 from pdp8.computer.machine import Machine
 from pdp8.computer.past.history import History
@@ -303,6 +305,15 @@ def test_what_is_waited_for(words: str, tape: bytes | None, said: str, hands: li
     assert ending.hands(m, waits) == hands
     if hands == ["high-speed tape"] or not hands:
         assert "a key" not in sentences
+
+
+def test_the_line_is_said_without_its_comment() -> None:
+    """In PAL8 a slash behind a quote is a character."""
+    listing = Listing.of(pal.assemble('*200\nA,\tJMP A+"/-"/\t/GO\n$\n', dialect=PAL8))
+    m = machine("5200")
+    m.run(seconds=9)
+    (why,) = ending.waits_for(m)
+    assert 'at 0200 (A, JMP A+"/-"/):' in ending.said(why, listing, m.core)
 
 
 @pytest.mark.parametrize(("tape", "hand"), [(b"AB", "lever"), (None, "tape")])
