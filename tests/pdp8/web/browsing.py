@@ -43,6 +43,17 @@ def launched() -> Iterator[Browser]:
         browser.close()
 
 
+_FIFTEEN_PICTURES = """(() => {
+  const [next, cancel, asked] = [requestAnimationFrame, cancelAnimationFrame, new Map()];
+  const after = (pictures, act, number) => asked.set(number, next((now) =>
+    pictures ? after(pictures - 1, act, number) : asked.delete(number) && act(now)));
+  let last = 0;
+  window.requestAnimationFrame = (act) => (after(3, act, ++last), last);
+  window.cancelAnimationFrame = (number) => cancel(asked.get(number));
+})()"""
+"""A display of fifteen pictures a second: painting sixty takes most of the time."""
+
+
 @contextmanager
 def visit(
     browser: Browser, address: str, condition: str = "!!window.workbench?.ready", **options: Any
@@ -50,6 +61,7 @@ def visit(
     """A page that knows no other, offline; it may not complain, nor ask for anything."""
     context = browser.new_context(offline=True, **options)
     context.set_default_timeout(PATIENCE * 1000)
+    context.add_init_script(_FIFTEEN_PICTURES)
     page = context.new_page()
     complaints: list[str] = []
     page.on("console", lambda message: complaints.append(message.text))
