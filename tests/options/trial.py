@@ -54,8 +54,8 @@ def called(line: str, stdin: bytes = b"") -> Outcome:
 
 
 def outcome(line: str, files: Mapping[str, bytes], stdin: bytes) -> Outcome:
-    """Return what the command `line` does in a folder of `files`, with `stdin` on its standard input."""
-    with folder(files):
+    """Return what the command `line` does in a folder of `files`, of DECtapes those that it names."""
+    with folder({name: content for name, content in files.items() if len(content) < 4096 or name in line}):
         return called(line, stdin)
 
 
