@@ -84,7 +84,9 @@ COMPILED = frozenset(
 
 TRUSTED = {
     "tapes.errors": "visible called",
+    "tapes.dump": "_LIST",
     "pal.source": "_utf_8",
+    "pal.pal8.assembly": "_TOKEN",
     "pal.listing": "object_tape listing _statement",
     "pal.review": "notes",
     "pdp8.computer.hardware.core": "allowed _addresses Core.__setitem__",
@@ -100,6 +102,7 @@ TRUSTED = {
     "pdp8.replay.script": "Script",
     "pdp8.lessons.diagnosis": "sequence first_difference _parity",
     "pdp8.lessons.drill": "Coach",
+    "pdp8.lessons.page": "_WRAPPED",
     "programs.function": "centre_path offset_path",
     "programs.piecewise": "Technique._kept",
     "programs.profile": "beside_oval",

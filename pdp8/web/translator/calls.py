@@ -6,6 +6,7 @@ library.pyi: `Ordered[...]`, `Literal[...]`.
 """
 
 import ast
+import re
 
 from pdp8.web.translator.expressions import MOST, Expressions, member
 from pdp8.web.translator.program import Found, Parameter
@@ -272,6 +273,8 @@ class Calls(Expressions):
                 self.refuse(node, f"JSON of {kind}", "texts, whole numbers, lists and dicts")
             case "Character" if len(str(getattr(value, "value", ""))) != 1:
                 self.fail(node, "what fills is not one character")
+            case "Written" if not _is_read_alike(str(getattr(value, "value", ""))):
+                self.refuse(node, "a pattern that JavaScript reads otherwise", "classes as [0-9]")
             case "Base" if whole(value) not in (None, 2, 8, 10, 16):
                 self.fail(node, "a base other than 2, 8, 10 and 16")
 
@@ -350,6 +353,17 @@ class Calls(Expressions):
             form = self.form(found, node, None)[0] if found.is_function else found
             for value, parameter in self.paired(form, node) or []:
                 self.accept(value, self.annotated(parameter.annotation, parameter.module))
+
+
+def _is_read_alike(pattern: str) -> bool:
+    """Whether both languages read a regular expression alike."""
+    plain = re.sub(r"\\[nrtf\\.*+?()\[\]{}|^$/]", "-", pattern)
+    dots = re.sub(r"\[[^\]]*\]", "", plain)
+    return (
+        not re.search(r"\\|\(\?[^:=!<]|\(\?<[^=!]", plain)
+        and not re.search("[.$]", dots)
+        and not re.match(pattern, "")
+    )
 
 
 def _called(parameter: Parameter) -> tuple[str, str]:

@@ -53,6 +53,7 @@ _GENERIC = {
 }  # fmt: skip
 _MARKS = (
     "Annotated", "Final", "ClassVar", "Ordered", "Compared", "Key", "New", "Keys", "Character", "Base",
+    "Written",
 )  # fmt: skip
 """Annotations that have the type of what is in their brackets."""
 _TABLE = {"word": "int", "real": "float", "row": "tuple", "sequence": "tuple"}

@@ -5,7 +5,7 @@
 #
 # Word is an int from 0 to 2^31. Float is a float, never an int; float may be either. Unordered may be a set, Iterable may
 # not, since a set has another order in JavaScript. Sized has a length. Ordered[X], Compared[X], Key[X], New[X], Keys[X], JSON[X],
-# Character[X] and Base[X] have the type X; `Calls._marked` says which values it refuses.
+# Character[X], Base[X] and Written[X] have the type X; `Calls._marked` says which values it refuses.
 # mypy: ignore-errors
 # ruff: noqa
 
@@ -260,7 +260,7 @@ if module == "re":
         def start(self) -> Word: ...
         def end(self) -> Word: ...
 
-    def compile(pattern: str) -> Pattern[str]: ...
+    def compile(pattern: Written[str]) -> Pattern[str]: ...
 
 if module == "time":
     def monotonic() -> Float: ...

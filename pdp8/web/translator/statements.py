@@ -8,11 +8,12 @@ from collections.abc import Iterable
 
 from pdp8.web.translator.assigned import Assigned
 from pdp8.web.translator.calls import Calls, one_or_several
-from pdp8.web.translator.expressions import named
+from pdp8.web.translator.expressions import MOST, named
 from pdp8.web.translator.program import Found, own
 from pdp8.web.translator.types import (
     ANY,
     NONE,
+    NUMBERS,
     UNSEEN,
     WHOLE,
     Type,
@@ -80,7 +81,9 @@ class Statements(Calls):
                 return [f"{once} = {self.e(value)};", *(self.put(target, once, value) for target in targets)]
             case ast.AugAssign(target, _, value):
                 return self._changed(node, target, value)
-            case ast.If(ast.Compare(ast.Name(name))) if len(cases := self._cases([node], name)) > _FEW:
+            case ast.If(ast.Compare(ast.Name(name) as left)) if (
+                self.plain(self.infer(left)) in NUMBERS and len(cases := self._cases([node], name)) > _FEW
+            ):
                 return self._switch(name, cases)
             case ast.If(test, body, other):
                 return self._if(test, body, other)
@@ -410,7 +413,8 @@ class Statements(Calls):
             case [ast.If(ast.Compare(ast.Name(compared), [ast.Eq()], [right]), then, other)] if (
                 compared == name
             ):
-                if (number := whole(found.node if (found := self.found(right)) else right)) is not None:
+                number = whole(found.node if (found := self.found(right)) else right)
+                if number is not None and abs(number) < MOST:
                     return [(f"case {number}:", then), *self._cases(other, name)]
         return [("default:", body)]
 
