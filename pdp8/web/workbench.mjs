@@ -269,10 +269,10 @@ export class Bench {
     }
   }
 
-  /** Take a source, or a tape: figures alone are no source, nor is what only by chance has an origin in it. */
+  /** Take a source, or a tape: figures alone are no source but by its name, nor is what only by chance has an origin in it. */
   #paper(/** @type {string} */ name, /** @type {Bytes} */ frames, /** @type {string} */ text) {
-    const code = recognise(frames), figures = only_figures(frames);
-    const named = /\.(pa[l8]?|txt|src)$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin
+    const code = recognise(frames), pal = /\.(pa[l8]?|src)$/i.test(name), figures = !pal && only_figures(frames);
+    const named = pal || /\.txt$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin
     const source = named && !figures && (code === ASCII || code === BLANK_TAPE);
     if (code === UNKNOWN || !(source || frames.length)) this.say(`${name} is no tape, program, state or exercise; put into the reader, it is read as a tape all the same`);
     else if (source) {

@@ -223,8 +223,8 @@ _ASKS = {
 """{what a Worker is asked: (the statement that asks, where a refusal is said, what makes it out of date)}."""
 _REFUSED = """(refused) => {
   const { apart } = workbench, ask = window.ask ??= apart.ask;
-  const refuse = (_, no) => setTimeout(() => no(new Error(`${refused} is refused`)), 400);
-  apart.ask = (what, ...given) => (what === refused ? new Promise(refuse) : ask.call(apart, what, ...given));
+  const kept = (_, no) => (window.refuse = () => no(new Error(`${refused} is refused`)));
+  apart.ask = (what, ...given) => (what === refused ? new Promise(kept) : ask.call(apart, what, ...given));
 }"""
 
 
@@ -244,12 +244,14 @@ def test_what_a_worker_refuses_is_said_where_it_was_asked(page: Page) -> None:
     for name, (asks, place, then) in _ASKS.items():
         page.evaluate(_REFUSED, name)
         for later in ("", then) if then else ("",):
-            page.evaluate(f"() => {{ workbench.{asks}; }}")
-            page.wait_for_timeout(300)
-            page.evaluate(f"() => {{ workbench.{later or 'show()'}; }}")
+            page.evaluate(f"() => {{ window.refuse = null; workbench.{asks}; }}")
+            until(page, "!!window.refuse")
+            page.evaluate(
+                f"() => {{ const {{ refuse }} = window; workbench.{later or 'show()'}; refuse(); }}"
+            )
             refused = f"document.querySelector({place!r}).textContent.includes('{name} is refused')"
             if later:
-                page.wait_for_timeout(500)
+                page.wait_for_timeout(100)
                 assert not page.evaluate(refused), (name, later)
             else:
                 until(page, refused)
