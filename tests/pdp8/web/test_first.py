@@ -93,7 +93,7 @@ const drop = (name) => {
   return document.body.dispatchEvent(early);
 };
 window.early = [];
-addEventListener("DOMContentLoaded", () => window.early.push(drop("a.pal"), "workbench" in window));
+addEventListener("DOMContentLoaded", () => window.early.push(drop("A.PAL"), "workbench" in window));
 new MutationObserver(() => {
   if (window.workbench && window.early.length < 3) window.early.push(drop("b.asc"), workbench.ready);
 }).observe(document, { childList: true, subtree: true });
@@ -103,7 +103,7 @@ new MutationObserver(() => {
 def test_a_file_that_is_dropped_at_once_waits_for_the_desk(browser: Browser, file: Path) -> None:
     """Before there is a page, and before there is a desk: the browser opens none."""
     with _opened(browser, file, gone=_EARLY) as page:
-        until(page, "window.workbench?.teletype?.called() === 'b.asc' && workbench.editor.name === 'a.pal'")
+        until(page, "window.workbench?.teletype?.called() === 'b.asc' && workbench.editor.name === 'A.PAL'")
         assert page.evaluate("window.early") == [False] * 4
 
 
