@@ -154,9 +154,7 @@ def test_a_reload_loses_nothing(page: Page) -> None:
     """
     page.evaluate("workbench.editor.put('mine.pal', '*200\\n\\tJMP .\\n$\\n'); workbench.editor.run();")
     page.evaluate("workbench.machine.watch.breakpoints.add(0o1234)")
-    page.evaluate(
-        "workbench.teletype.mount(workbench.shelf.put('<mine>.asc', new Uint8Array([0o261, 0o215])))"
-    )
+    page.evaluate("workbench.teletype.mount(workbench.shelf.put('<mine>.asc', Uint8Array.of(177, 141)))")
     page.evaluate("workbench.exercises.open('read-a-frame'); workbench.tabs.open('exercises');")
     page.locator("#asked input").first.fill("270 & <b>")
     page.evaluate("workbench.exercises.open('add')")
@@ -167,12 +165,11 @@ def test_a_reload_loses_nothing(page: Page) -> None:
     click(page, "#card summary", "#drill")
     page.locator("#computer .rocker").first.focus()
     page.keyboard.type("t7756l6032d")
-    before = page.evaluate("[workbench.machine.processor.pc, ...workbench.machine.processor.core]")
+    held = "[workbench.machine.processor.pc, ...workbench.machine.processor.core]"
+    before = page.evaluate(held)
     for _ in range(2):
         page = _visited_again(page)
-        assert (
-            page.evaluate("[workbench.machine.processor.pc, ...workbench.machine.processor.core]") == before
-        )
+        assert page.evaluate(held) == before
         assert page.evaluate("[...workbench.machine.watch.breakpoints]") == [0o1234]
         assert page.evaluate("[...workbench.machine.teletype.reader.tape]") == [0o261, 0o215]
         assert page.locator("#reader .name").inner_text().startswith("<mine>.asc")
