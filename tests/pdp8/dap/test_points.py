@@ -177,13 +177,10 @@ def test_a_word_is_watched_for_what_was_asked(access: str, stood: list[str], fol
     events = [answer["event"] for answer in seen.answers[-12::2]]
     assert {event["reason"] for event in events} == {"data breakpoint"}
     places = [answer["body"]["result"] for answer in seen.answers[-11::2]]
-    assert [
-        f"{place} {event['hitBreakpointIds']}" for place, event in zip(places, events[:3], strict=False)
-    ] == stood
+    found = zip(places, events[:3], strict=False)
+    assert [f"{place} {event['hitBreakpointIds']}" for place, event in found] == stood
     before = {"0201": "0200", "0202": "0201", "0203": "0202", "0204": "0203"}
-    assert places[3:] == [before[place[:4]] for place in reversed(stood)], (
-        "before the instruction, going back"
-    )
+    assert places[3:] == [before[place[:4]] for place in reversed(stood)], "before the instruction"
 
 
 def test_an_instruction_that_writes_two_words_stops_for_both(folder: Path) -> None:
@@ -207,7 +204,7 @@ def test_breakpoints_look_at_the_machine_that_is_there(folder: Path) -> None:
         ["setDataBreakpoints", {"breakpoints": [word]}],
         *(console("set cpu 8k"), beyond, console("break 10300")),
         [*console("set cpu 4k"), "breakpoint"],
-        *map(console, ("save s", "restore s")),
+        *(console("save s"), [*console("step"), "stopped"], [*console("restore s"), "stopped"]),
         ["continue", {"threadId": 1}, "stopped"],
         console("M"),
     )
