@@ -22,7 +22,6 @@ from pal.isa import (
     JMP,
     JMS,
     OPR,
-    REVERSED,
     autoindexed,
     changes_field,
     in_field,
@@ -35,7 +34,7 @@ ARGUMENTS = 4
 _CIF = 3
 """Words before a JMS or JMP among which a CIF is looked for."""
 _DEEPEST = 64
-_SKIPS = 0o170
+_SKIPS = 0o170  # SMA, SZA, SNL and the sense reversed
 _INTERRUPT = 0
 
 
@@ -124,6 +123,6 @@ def _followers(core: Sequence[int], live: Mapping[int, int], at: int) -> list[in
         returns = word & INDIRECT and refers_to(word, at) in live
         target = None if returns else _target(core, word, at)
         return [] if target is None else [target]
-    group_2 = code == OPR and word & GROUP_3 == GROUP_2 and word & (_SKIPS | REVERSED)
+    group_2 = code == OPR and word & GROUP_3 == GROUP_2 and word & _SKIPS
     skips = code in (ISZ, JMS, IOT) or group_2
     return [at + 1, at + 2] if skips else [at + 1]
