@@ -295,6 +295,8 @@ _BACK = ("take(new File([window.held], 'a.state'))", "afternoon.go(3.8e10)")
 def test_nothing_of_the_machine_before_is_left(file: Path) -> None:
     """A saved machine that is opened, and an instant of the afternoon, are the same whatever was done."""
     with small.visit(file, DESK) as page:
+        printed = "{ for (let left = 40; left; left--) machine.teletype.printer.frames.append(65); }"
+        page.evaluate(f"() => workbench.touch((machine) => {printed})")
         page.evaluate("() => { window.held = workbench.drives.bare(workbench.machine); }")
         page.evaluate(f"() => {{ workbench.{_BACK[1]}; workbench.editor.back(); workbench.touched(); }}")
         states: dict[str, dict[str, str]] = {}
