@@ -269,7 +269,7 @@ export class Bench {
     }
   }
 
-  /** Take a source, or a tape: figures alone are no source but by its name, nor is what only by chance has an origin in it. */
+  /** Take a source, or a tape: a text of figures is a source only by its name, and a BIN tape may have an origin by chance. */
   #paper(/** @type {string} */ name, /** @type {Bytes} */ frames, /** @type {string} */ text) {
     const code = recognise(frames), pal = /\.(pa[l8]?|src)$/i.test(name), figures = !pal && only_figures(frames);
     const named = pal || /\.txt$/i.test(name) || /^\s*\*[0-7]+\s/m.test(text); // it has an origin

@@ -77,7 +77,7 @@ class Calls(Expressions):
             if node.keywords:
                 self.fail(node, "keywords for a function of unknown parameters", "them by their places")
             for _, *takes in (each.of for each in either(kind) if each.of[1:]):
-                args = [part for each in node.args for part in self.arguments_of(each)]
+                args = self.arguments_of(node.args)
                 inner = self.inner.get(name) if isinstance(function, ast.Name) else None
                 fits = self.paired(Found(self.module, inner), node) if inner else len(takes) == len(args)
                 if fits in (None, False):
@@ -346,7 +346,7 @@ class Calls(Expressions):
             names = {each.name for each in parameters}
             if "**" not in {each.how for each in parameters} and {each.arg for each in node.keywords} - names:
                 self.refuse(node, "keywords that are no parameters")
-            if any(isinstance(part, ast.Starred) for each in node.args for part in self.arguments_of(each)):
+            if any(isinstance(each, ast.Starred) for each in self.arguments_of(node.args)):
                 self.refuse(node, "what is unpacked may have another length", "a tuple")
             self.refuse(node, "too many arguments, or too few")
         if found.ours:

@@ -180,10 +180,9 @@ class Expressions(Types):
 
     def in_order(self, one: ast.expr, other: ast.expr) -> bool:
         """Whether it may be seen which of two expressions is evaluated first."""
-        parts, others = [*ast.walk(one)], [*ast.walk(other)]
-        return (any(map(self._acts, parts)) and any(map(self._changes, others))) or (
-            any(map(self._acts, others)) and any(map(self._changes, parts))
-        )
+        sides = [*ast.walk(one)], [*ast.walk(other)]
+        both = sides, sides[::-1]
+        return any(any(map(self._acts, a)) and any(map(self._changes, b)) for a, b in both)
 
     def _changes(self, node: ast.AST) -> bool:
         """Whether it reads what a call may change."""

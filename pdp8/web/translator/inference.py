@@ -7,7 +7,7 @@ Nothing is refused here: where nothing is known the type is ANY. What a test say
 import ast
 import re
 from collections import ChainMap
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 
@@ -637,7 +637,7 @@ class Types:
         parameters = self.program.signature(found) or []
         places = [each for each in parameters if each.how in ("", "/")]
         rest = {each.how: each for each in parameters}
-        args = [part for each in call.args for part in self.arguments_of(each)]
+        args = self.arguments_of(call.args)
         if any(isinstance(each, ast.Starred) for each in args[: len(places)]):
             return None
         if len(args) > len(places) and "*" not in rest:
@@ -658,11 +658,14 @@ class Types:
         missing = any(each.default is None and each.name not in given for each in left.values())
         return None if missing else pairs
 
-    def arguments_of(self, argument: ast.expr) -> list[ast.expr]:
-        """Return an argument, or each part of what is unpacked if their number is known."""
+    def arguments_of(self, given: Iterable[ast.expr]) -> list[ast.expr]:
+        """Return what is given, in place of what is unpacked each of its parts if their number is known."""
+        return [part for each in given for part in self._unpacked(each)]
+
+    def _unpacked(self, argument: ast.expr) -> list[ast.expr]:
         match argument:
             case ast.Starred(ast.Tuple(items) | ast.List(items)):
-                return [part for each in items for part in self.arguments_of(each)]
+                return self.arguments_of(items)
             case ast.Starred(ast.GeneratorExp(made, [ast.comprehension(_, ast.Tuple(items), [])] as loops)):
                 each = ast.copy_location(ast.ListComp(made, loops), argument)
                 return [_item(each, at) for at, _ in enumerate(items)]

@@ -42,7 +42,7 @@ def saved(tab: Tab, button: str) -> bytes:
 def test_a_file_dropped_on_the_page(tab: Tab) -> None:
     """ASCII goes into the reader, EIA to the mill, a source into the editor, shown; their names are text.
 
-    What is nothing of ours is refused by its name; dropped on the reader, or put there, it is a tape.
+    A file that is neither is refused by its name; dropped on the reader, or put there, it is a tape.
     """
     drop(tab, "<b>mine.asc", b"\xb1\xb2\xb3\x8d\x8a")
     tab.until(f"{_TTY}.reader.tape.length === 5")
